@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real window: GLFW, the event loop, and idle waiting.
+#pragma once
+
+#include <optional>
+
+#include "scene/experiment_file.h"
+
+namespace psm {
+
+/// False where no window can be opened (no display).
+bool display_available();
+
+/// Opens the window on this experiment and runs until it is closed. An error if the window cannot be opened.
+std::optional<InputError> run_window(const LoadedExperiment& loaded);
+
+}  // namespace psm

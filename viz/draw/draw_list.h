@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// DrawList: lines, fills and labels as plain data, each with a role instead of a colour. A test reads it; the screen and the
+// figure writers draw it.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace psm {
+
+/// What a thing is. One palette maps roles to colours, the same in all views, plots and exports.
+enum class Role {
+  frustum,          // the camera and its frustum
+  light,            // the light and its rays
+  caster_body,      // H
+  receivers_body,   // R
+  vanishing_plane,  // the vanishing plane and the warp frustum
+  map_window,       // the shadow map's window as a body
+  infinity,         // the infinity plane and w = 0
+  texel_grid,
+  scene_bounds,     // S
+  neutral,          // axes, cube, grid
+  text
+};
+
+enum class LineStyle { solid, dashed };
+
+/// A segment; `a` and `b` are homogeneous points of the list's space with w > 0, after all splitting at infinity.
+/// Parts hidden by the scene are drawn thinner and dashed, at 60 %.
+struct DrawLine {
+  glm::dvec4 a, b;
+  Role role = Role::neutral;
+  double width = 1.5;          // pixels at scale 1
+  LineStyle style = LineStyle::solid;
+  bool arrow = false;          // a head at b
+  double fade_a = 1.0, fade_b = 1.0;  // opacity at the ends
+};
+
+/// A convex polygon, translucent; the winding is counter-clockwise seen from outside where it bounds a body.
+struct DrawFill {
+  std::vector<glm::dvec4> corners;  // homogeneous, w > 0
+  Role role = Role::neutral;
+  double alpha = 0.16;
+};
+
+struct DrawPoint {
+  glm::dvec4 position;
+  Role role = Role::neutral;
+  double radius = 5.0;  // pixels at scale 1
+};
+
+struct DrawLabel {
+  glm::dvec4 anchor;  // what it names
+  std::string text;
+  Role role = Role::text;
+  int priority = 0;  // higher is placed first
+};
+
+struct DrawList {
+  std::vector<DrawLine> lines;
+  std::vector<DrawFill> fills;
+  std::vector<DrawPoint> points;
+  std::vector<DrawLabel> labels;
+};
+
+/// sRGB, 0 to 1. `text_color` is a darker variant with contrast of at least 4.5:1 on white.
+glm::vec3 role_color(Role role);
+glm::vec3 role_text_color(Role role);
+
+/// A label's place on the picture: pixels, y downwards.
+struct PlacedLabel {
+  glm::dvec2 top_left, size;
+  glm::dvec2 anchor;   // where the leader ends
+  std::string text;
+  Role role = Role::text;
+  bool leader = false;
+};
+
+/// Greedy placement, most constrained first: eight positions around each anchor, no overlap, nothing cut, at most 12.
+/// `text_size` measures a text in pixels; `clip_from_list` maps the list's space to the picture's clip space.
+std::vector<PlacedLabel> place_labels(const DrawList& list, const glm::dmat4& clip_from_list, glm::dvec2 picture_size,
+                                      double scale, glm::dvec2 (*text_size)(const std::string&, double scale, void*), void* context);
+
+}  // namespace psm

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each view shows, as plain data: a picture of the scene, a clip matrix, and a DrawList over it.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "draw/draw_list.h"
+#include "scene/analysis.h"
+
+namespace psm {
+
+enum class ScenePicture {
+  shadowed,    // lit, with shadows from the map
+  projective,  // the same, after a projective map of the world: drawn twice, the second time negated, so that both sides of w = 0 appear
+  map_depth    // the shadow map's depth, as an image in the square [-1, 1]^2 of map clip space
+};
+
+/// One view, ready to draw. Corner [-1, 1]^2 of clip space is the whole picture.
+struct ViewPicture {
+  ViewId id = ViewId::world;
+  std::string title;              // "World", "Unit cube", "Shadow map 1024 x 1024", "Eye"
+  ScenePicture scene = ScenePicture::shadowed;
+  glm::dmat4 clip_from_world{1.0};  // for the scene's triangles (not used by map_depth)
+  glm::dmat4 cube_from_world{1.0};  // projective only: fragments outside limit * [-1, 1]^3 of the cube are faded out
+  double cube_limit = 3.0;
+  glm::dmat4 clip_from_list{1.0};   // for the list
+  DrawList list;
+  /// The part of the picture that the eye's image occupies (the eye view letterboxes), in clip space: min x, min y, max x, max y.
+  glm::dvec4 image_rect{-1.0, -1.0, 1.0, 1.0};
+};
+
+/// Pure. `size` in pixels: its aspect decides the letterbox and the fit.
+ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene& scene, glm::ivec2 size);
+
+/// Where an orbit looks from: the camera's view matrix and the perspective of a view of this aspect. `extent_min`, `extent_max`: the
+/// box that distance 0 fits.
+struct OrbitCamera {
+  glm::dmat4 view_from_space{1.0}, clip_from_view{1.0};
+  glm::dvec3 eye{0.0};
+  double distance = 1.0;  // resolved
+};
+OrbitCamera orbit_camera(const OrbitSettings& orbit, const glm::dvec3& extent_min, const glm::dvec3& extent_max, double aspect);
+
+/// What distance 0 fits: for the world view the scene with the camera and a position light; for the cube view the cube.
+void view_extent(ViewId id, const Analysis& analysis, glm::dvec3& extent_min, glm::dvec3& extent_max);
+
+/// The camera of the world or cube view, of this aspect.
+OrbitCamera view_camera(ViewId id, const Analysis& analysis, double aspect);
+
+/// The badge at the bottom: light case, the number that decides, and its words.
+std::string light_case_text(const Analysis& analysis);
+
+}  // namespace psm

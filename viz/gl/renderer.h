@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws views with OpenGL (ES 3.0 subset). Needs a current context, which outlives it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "draw/view.h"
+#include "scene/analysis.h"
+#include "scene/scene.h"
+
+namespace psm {
+
+/// 8-bit RGBA, rows top to bottom.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+enum class Theme { light, dark };
+
+class Renderer {
+ public:
+  /// `assets`: the folder with shaders/. `font`: a TrueType file for labels. Aborts with a clear line if a shader does not compile.
+  Renderer(const std::filesystem::path& assets, const std::filesystem::path& font);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Uploads the scene; call again when the scene changed.
+  void set_scene(const Scene& scene);
+
+  /// Draws the shadow map (or the six) of this analysis; call when the analysis changed.
+  void draw_shadow_map(const Analysis& analysis);
+
+  /// Draws one view into its own texture and returns the texture's OpenGL name, valid until the next call for the same id.
+  /// `size` in pixels; `scale` multiplies widths and type. The texture's first row is the bottom one.
+  std::uint32_t draw_view(const ViewPicture& picture, const Analysis& analysis, glm::ivec2 size, double scale, Theme theme);
+
+  /// What draw_view drew last for this id.
+  Image read_view(ViewId id);
+
+  /// Depth in [0, 1] of layer 0 of the shadow map, rows bottom to top; for tests.
+  std::vector<float> read_map_depth();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace psm

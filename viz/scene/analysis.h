@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Analysis: one plain value with every stage of an experiment named, computed by a pure function in double precision.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geom/convex_body.h"
+#include "scene/experiment.h"
+#include "scene/scene.h"
+
+namespace psm {
+
+/// What the eye's projection makes of the light (PSM 2002, sections 3.1 and 3.2).
+enum class PostLight { directional, point, inverted_point };
+
+struct LightCase {
+  LightType world = LightType::directional;
+  PostLight post = PostLight::directional;
+  double w = 0.0;               // v.(l - e) for positions, v.l for directions
+  glm::dvec4 light_post{0.0};   // P V l in clip space, not divided
+  bool reversed_order = false;  // naive depth order along rays
+  bool inside_receivers = false, inside_frustum = false;
+  double kappa = 0.0;           // light_post.w / |light_post.xyz|
+  bool within_half_texel = false;  // |kappa| < 1 / (2 N): directional on screen
+};
+
+/// The two-dimensional error model at n, f, phi, theta, rho (GMNPR 2007, section 2); nothing where the technique has no rho.
+struct ModelError {
+  double F_near = 0, F_far = 0, F_max = 0, E_max_line = 0, E_max_frustum = 0, storage_factor = 0;
+};
+
+struct Analysis {
+  Experiment experiment;  // as resolved
+  LightCase light_case;
+
+  // What the technique used; nothing where it has none.
+  std::optional<double> theta, phi;  // radians
+  std::optional<double> near, far;   // eye-depth range of R
+  std::optional<double> rho, lambda; // lambda = rho / (1 - rho), infinite for the uniform map
+  double camera_shift = 0.0;
+  Technique technique_used = Technique::uniform;
+  std::vector<Note> notes;
+
+  // Matrices, destination from source.
+  glm::dmat4 view_from_world{1.0}, clip_from_view{1.0};
+  std::optional<glm::dmat4> map_from_world;                     // none exactly when l lies in R
+  std::optional<std::array<glm::dmat4, 6>> cube_maps_from_world; // then six maps: +x -x +y -y +z -z
+  std::optional<glm::dvec4> vanishing_plane;                    // c = 0, positive on R
+
+  glm::dvec4 light{0.0};        // homogeneous, in world space, towards the light
+  ConvexBody scene_body;        // S
+  ConvexBody receivers_body;    // R = V ∩ S ∩ L
+  ConvexBody caster_body;       // H_R = hull(R + l) ∩ S ∩ L: what the map's depth range holds
+  std::array<glm::dvec4, 8> frustum_corners{};  // homogeneous, world: near then far, each (-,-) (+,-) (+,+) (-,+); far may have w = 0
+
+  std::optional<ModelError> model_error;
+  bool worse_than_uniform = false;  // computed; the note says by which measure
+
+  glm::dmat4 clip_from_world() const { return clip_from_view * view_from_world; }
+};
+
+/// Pure: same inputs, same build, same bits. Never fails on an experiment whose fields are in range.
+Analysis analyze(const Experiment& experiment, const Scene& scene);
+
+/// The contract's JSON, two-space indented; numbers round-trip, infinities are "inf" and "-inf", what does not exist is null.
+std::string analysis_to_json(const Analysis& analysis, const Scene& scene);
+
+}  // namespace psm

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Experiment: one plain value with everything a user can set. Declared once, in the table of experiment.cpp: widgets, JSON,
+// --set and sweeps come from it.
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace psm {
+
+/// A named reason (fallback, clamp, limit) with the number that fired it and the limit it met.
+struct Note {
+  std::string code;  // snake_case, stable
+  std::string text;  // one sentence for the user
+  std::optional<double> value, limit;
+  bool operator==(const Note&) const = default;
+};
+
+enum class LightType { directional, point, spot };
+enum class Technique {
+  uniform, psm, lispsm, lispsm_reference, glpr, gmnpr, minimax, minimax_frustum,
+  plane_optimal, best_plane, psm_recipe, psm_divided, custom
+};
+enum class Filter { none };
+enum class NearFit { off, bounds, depth };
+enum class Focus { bounds, visible };
+enum class WarpRange { receivers, frustum };
+enum class ViewId { world, cube, map, eye };
+
+struct SceneSettings {
+  std::string source = "chessboard";
+  bool operator==(const SceneSettings&) const = default;
+};
+
+/// World space; lengths in scene units. `far` may be infinite.
+struct CameraSettings {
+  glm::dvec3 position{0.0, 1.7, 6.0}, target{0.0, 1.0, 0.0}, up{0.0, 1.0, 0.0};
+  double vertical_fov_deg = 60.0, near = 0.1, far = 100.0;
+  bool operator==(const CameraSettings&) const = default;
+};
+
+struct ImageSettings {
+  int width = 1280, height = 720;
+  bool operator==(const ImageSettings&) const = default;
+  double aspect() const { return double(width) / height; }
+};
+
+/// `to_light` points to the light, of any length but zero (directional); `position` is a point or spot light's, `target` and
+/// `cone_deg` (full apex angle) a spot's. Members of other types keep their values but are neither written nor used.
+struct LightSettings {
+  LightType type = LightType::directional;
+  glm::dvec3 to_light{0.3, 1.0, 0.2};
+  glm::dvec3 position{0.0, 4.0, 0.0}, target{0.0, 0.0, 0.0};
+  double cone_deg = 60.0;
+  bool operator==(const LightSettings&) const = default;
+};
+
+struct ShadowSettings {
+  Technique technique = Technique::gmnpr;
+  int resolution = 1024;  // texels along each side of the map
+  Filter filter = Filter::none;
+  double depth_bias = 1.5;                // in texels along the steeper of the two depth slopes of the caster
+  std::optional<double> camera_shift;     // none: auto
+  NearFit near_fit = NearFit::bounds;
+  Focus focus = Focus::bounds;
+  WarpRange warp_range = WarpRange::receivers;
+  std::optional<glm::dvec4> receiver_plane;  // none: auto
+  std::optional<glm::dvec4> plane;           // vanishing plane of technique custom
+  bool operator==(const ShadowSettings&) const = default;
+};
+
+/// How one three-dimensional view (world or cube) is looked at: an orbit around `target`. `distance` 0: fit what it shows.
+/// World: scene units. Cube: units of the cube, whose half side is 1.
+struct OrbitSettings {
+  glm::dvec3 target{0.0};
+  double yaw_deg = 35.0, pitch_deg = 25.0, distance = 0.0;
+  bool operator==(const OrbitSettings&) const = default;
+};
+
+/// Which views are open, and how each is looked at.
+struct ViewSettings {
+  std::optional<ViewId> maximised;  // none: all four
+  OrbitSettings world, cube;
+  glm::dvec2 map_center{0.0};       // map clip space
+  double map_zoom = 1.0;            // 1: the whole map
+  bool operator==(const ViewSettings&) const = default;
+};
+
+struct Experiment {
+  SceneSettings scene;
+  CameraSettings camera;
+  ImageSettings image;
+  LightSettings light;
+  ShadowSettings shadow;
+  ViewSettings view;
+  bool operator==(const Experiment&) const = default;
+};
+
+// ---- the table -------------------------------------------------------------------------------------------------------
+
+/// Names of an enum's values, in order; `get`/`set` use the index.
+struct Choice {
+  std::vector<std::string> names;
+  std::function<int(const Experiment&)> get;
+  std::function<void(Experiment&, int)> set;
+};
+using NumberRef = std::function<double&(Experiment&)>;
+using IntRef = std::function<int&(Experiment&)>;
+using Vec2Ref = std::function<glm::dvec2&(Experiment&)>;
+using Vec3Ref = std::function<glm::dvec3&(Experiment&)>;
+using TextRef = std::function<std::string&(Experiment&)>;
+using AutoNumberRef = std::function<std::optional<double>&(Experiment&)>;      // "auto" or a number
+using AutoPlaneRef = std::function<std::optional<glm::dvec4>&(Experiment&)>;   // "auto" or null, or [a, b, c, d]
+
+/// One row: a member that a user can set.
+struct Field {
+  std::string path;   // JSON path, such as "camera.near"
+  std::variant<NumberRef, IntRef, Vec2Ref, Vec3Ref, TextRef, AutoNumberRef, AutoPlaneRef, Choice> member;
+  std::string unit;   // "" where there is none; "deg", "texels", "scene units", "px"
+  double min = -1e300, max = 1e300;  // of a number or of each component
+  bool open_min = false, open_max = false;  // the bound itself is not allowed
+  bool may_be_infinite = false;             // "inf" is allowed
+  bool nonzero = false;                     // a vector: not the zero vector
+  std::string help;   // one sentence
+  /// False where the member means nothing for this experiment (a spot's cone while the light is directional).
+  std::function<bool(const Experiment&)> applies = [](const Experiment&) { return true; };
+};
+
+/// All members, in the order in which files and panels show them.
+const std::vector<Field>& experiment_fields();
+
+/// The row of a path; null if there is none.
+const Field* find_field(const std::string& path);
+
+/// The allowed values in words: "a number in (0, 180)", "one of: none".
+std::string allowed_values(const Field& field);
+
+const char* name_of(LightType);
+const char* name_of(Technique);
+const char* name_of(ViewId);
+std::vector<std::string> technique_names();
+std::optional<Technique> technique_from_name(const std::string& name);
+
+}  // namespace psm
