@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "scene/result.h"
+
 namespace psm {
 
 /// A named reason (fallback, clamp, limit) with the number that fired it and the limit it met.
@@ -124,7 +126,8 @@ struct Field {
   double min = -1e300, max = 1e300;  // of a number or of each component
   bool open_min = false, open_max = false;  // the bound itself is not allowed
   bool may_be_infinite = false;             // "inf" is allowed
-  bool nonzero = false;                     // a vector: not the zero vector
+  bool nonzero = false;                     // a vector: not the zero vector; a plane: its normal is not
+  std::string absent = "auto";              // the word for "no value" of AutoNumberRef and AutoPlaneRef: "auto" or "null"
   std::string help;   // one sentence
   /// False where the member means nothing for this experiment (a spot's cone while the light is directional).
   std::function<bool(const Experiment&)> applies = [](const Experiment&) { return true; };
@@ -138,6 +141,18 @@ const Field* find_field(const std::string& path);
 
 /// The allowed values in words: "a number in (0, 180)", "one of: none".
 std::string allowed_values(const Field& field);
+
+/// The value as --set takes it back, bit for bit: "0,1,-0.2", "inf", "auto", "spot".
+std::string value_text(const Field& field, const Experiment& experiment);
+
+/// Shortest text that reads back as the same double; "inf", "-inf", "nan".
+std::string number_text(double value);
+
+/// Null where the member's value is within the row's range; else the line "PATH: VALUE is not allowed; allowed: ...".
+std::optional<InputError> check_field(const Field& field, const Experiment& experiment);
+
+/// Every row that applies, and what ties members together (far > near, up not along the view direction ...).
+std::optional<InputError> check_experiment(const Experiment& experiment);
 
 const char* name_of(LightType);
 const char* name_of(Technique);

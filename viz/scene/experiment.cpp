@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/experiment.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace psm {
+namespace {
+
+// Lengths and coordinates stay where their squares and products with a 1e6 : 1 frustum keep full precision.
+constexpr double kLargest = 1e12, kSmallest = 1e-12;
+
+constexpr std::array kLightTypes{"directional", "point", "spot"};
+constexpr std::array kTechniques{"uniform",    "psm",         "lispsm",          "lispsm_reference", "glpr",
+                                 "gmnpr",      "minimax",     "minimax_frustum", "plane_optimal",    "best_plane",
+                                 "psm_recipe", "psm_divided", "custom"};
+constexpr std::array kViews{"world", "cube", "map", "eye"};
+
+template <std::size_t N>
+std::vector<std::string> as_list(const std::array<const char*, N>& names) {
+  return {names.begin(), names.end()};
+}
+
+/// A row with the refinements that read as words: `row(...).within(0, 180).open()`.
+struct Row : Field {
+  Row(std::string row_path, decltype(Field::member) row_member, std::string row_unit, std::string row_help) {
+    path = std::move(row_path), member = std::move(row_member), unit = std::move(row_unit), help = std::move(row_help);
+  }
+  Row&& within(double low, double high) && { return min = low, max = high, std::move(*this); }
+  Row&& open() && { return open_min = open_max = true, std::move(*this); }
+  Row&& or_infinite() && { return may_be_infinite = true, std::move(*this); }
+  Row&& not_zero() && { return nonzero = true, std::move(*this); }
+  Row&& absent_is(const char* word) && { return absent = word, std::move(*this); }
+  Row&& when(std::function<bool(const Experiment&)> condition) && { return applies = std::move(condition), std::move(*this); }
+  Row&& coordinate() && { return std::move(*this).within(-kLargest, kLargest); }
+};
+
+/// `access` yields the enum; its values count from zero in the order of `names`.
+template <class Access>
+Choice choice(std::vector<std::string> names, Access access) {
+  return {std::move(names), [access](const Experiment& e) { return int(access(const_cast<Experiment&>(e))); },
+          [access](Experiment& e, int i) { access(e) = std::remove_reference_t<decltype(access(e))>(i); }};
+}
+
+Choice maximised_choice() {
+  return {{"none", "world", "cube", "map", "eye"},
+          [](const Experiment& e) { return e.view.maximised ? int(*e.view.maximised) + 1 : 0; },
+          [](Experiment& e, int i) { e.view.maximised = i == 0 ? std::nullopt : std::optional<ViewId>(ViewId(i - 1)); }};
+}
+
+bool is_directional(const Experiment& e) { return e.light.type == LightType::directional; }
+bool is_placed(const Experiment& e) { return !is_directional(e); }
+bool is_spot(const Experiment& e) { return e.light.type == LightType::spot; }
+
+#define PSM_REF(type, member) type([](Experiment & e) -> auto& { return e.member; })
+#define PSM_CHOICE(names, member) \
+  choice(                         \
+      names, [](Experiment & e) -> auto& { return e.member; })
+
+void add_scene_and_camera(std::vector<Field>& rows) {
+  rows.push_back(
+      Row("scene.source", PSM_REF(TextRef, scene.source), "", "The scene: a built-in one by its id, or a .gltf or .glb file."));
+  rows.push_back(Row("camera.position", PSM_REF(Vec3Ref, camera.position), "scene units", "Where the eye is.").coordinate());
+  rows.push_back(
+      Row("camera.target", PSM_REF(Vec3Ref, camera.target), "scene units", "The point the camera looks at.").coordinate());
+  rows.push_back(Row("camera.up", PSM_REF(Vec3Ref, camera.up), "", "The direction that is upwards in the image, of any length.")
+                     .coordinate()
+                     .not_zero());
+  rows.push_back(Row("camera.vertical_fov_deg", PSM_REF(NumberRef, camera.vertical_fov_deg), "deg",
+                     "Full vertical opening angle of the camera.")
+                     .within(0, 180)
+                     .open());
+  rows.push_back(Row("camera.near", PSM_REF(NumberRef, camera.near), "scene units",
+                     "Distance of the near plane; a small one ruins PSM unless near_fit tightens it.")
+                     .within(kSmallest, kLargest));
+  rows.push_back(Row("camera.far", PSM_REF(NumberRef, camera.far), "scene units",
+                     "Distance of the far plane, beyond the near plane; may be inf.")
+                     .within(kSmallest, kLargest)
+                     .or_infinite());
+  rows.push_back(Row("image.width", PSM_REF(IntRef, image.width), "px", "Width of the picture the eye sees.").within(1, 16384));
+  rows.push_back(
+      Row("image.height", PSM_REF(IntRef, image.height), "px", "Height of the picture the eye sees.").within(1, 16384));
+}
+
+void add_light(std::vector<Field>& rows) {
+  rows.push_back(Row("light.type", PSM_CHOICE(as_list(kLightTypes), light.type), "", "A directional, a point or a spot light."));
+  rows.push_back(
+      Row("light.to_light", PSM_REF(Vec3Ref, light.to_light), "", "The direction towards the light, of any length but zero.")
+          .coordinate()
+          .not_zero()
+          .when(is_directional));
+  rows.push_back(
+      Row("light.position", PSM_REF(Vec3Ref, light.position), "scene units", "Where the light is.").coordinate().when(is_placed));
+  rows.push_back(Row("light.target", PSM_REF(Vec3Ref, light.target), "scene units", "The point the spot light aims at.")
+                     .coordinate()
+                     .when(is_spot));
+  rows.push_back(Row("light.cone_deg", PSM_REF(NumberRef, light.cone_deg), "deg", "Full apex angle of the spot light's cone.")
+                     .within(0, 180)
+                     .open()
+                     .when(is_spot));
+}
+
+void add_shadow(std::vector<Field>& rows) {
+  rows.push_back(Row("shadow.technique", PSM_CHOICE(as_list(kTechniques), shadow.technique), "",
+                     "How the shadow map is warped: which plane through the light it sends to infinity."));
+  rows.push_back(
+      Row("shadow.resolution", PSM_REF(IntRef, shadow.resolution), "texels", "Texels along each side of the shadow map.")
+          .within(16, 8192));
+  rows.push_back(Row("shadow.filter", PSM_CHOICE({"none"}, shadow.filter), "", "How shadow map samples are filtered."));
+  rows.push_back(Row("shadow.depth_bias", PSM_REF(NumberRef, shadow.depth_bias), "texels",
+                     "Depth offset against self-shadowing, in texels along the steeper depth slope of the caster.")
+                     .within(0, 1000));
+  rows.push_back(Row("shadow.camera_shift", PSM_REF(AutoNumberRef, shadow.camera_shift), "scene units",
+                     "How far the virtual camera steps back before the PSM projection; auto lets the technique choose.")
+                     .within(0, kLargest));
+  rows.push_back(Row("shadow.near_fit", PSM_CHOICE((std::vector<std::string>{"off", "bounds", "depth"}), shadow.near_fit), "",
+                     "What near and far tighten to: nothing, the receivers' depth range, or the visible points."));
+  rows.push_back(Row("shadow.focus", PSM_CHOICE((std::vector<std::string>{"bounds", "visible"}), shadow.focus), "",
+                     "What the map's window encloses: the receivers' bounds, or the visible points alone."));
+  rows.push_back(Row("shadow.warp_range", PSM_CHOICE((std::vector<std::string>{"receivers", "frustum"}), shadow.warp_range), "",
+                     "What the warp's range is measured on: the receivers, or the frustum between their depths."));
+  rows.push_back(
+      Row("shadow.receiver_plane", PSM_REF(AutoPlaneRef, shadow.receiver_plane), "",
+          "The plane a, b, c, d on which plane_optimal gives every texel the same size; auto: the largest visible flat area.")
+          .coordinate()
+          .not_zero());
+  rows.push_back(
+      Row("shadow.plane", PSM_REF(AutoPlaneRef, shadow.plane), "", "The vanishing plane a, b, c, d of technique custom.")
+          .coordinate()
+          .not_zero()
+          .absent_is("null"));
+}
+
+void add_orbit(std::vector<Field>& rows, const std::string& view, OrbitSettings ViewSettings::*orbit, const std::string& unit) {
+  const auto number = [orbit](double OrbitSettings::*part) {
+    return NumberRef([orbit, part](Experiment& e) -> double& { return e.view.*orbit.*part; });
+  };
+  const Vec3Ref target = [orbit](Experiment& e) -> glm::dvec3& { return (e.view.*orbit).target; };
+  rows.push_back(Row(view + ".target", target, unit, "The point this view turns around.").coordinate());
+  // Turning on and on is allowed: an orbit that was dragged around many times must stay a valid file.
+  rows.push_back(
+      Row(view + ".yaw_deg", number(&OrbitSettings::yaw_deg), "deg", "From which side this view looks.").within(-1e6, 1e6));
+  rows.push_back(
+      Row(view + ".pitch_deg", number(&OrbitSettings::pitch_deg), "deg", "From how high this view looks.").within(-90, 90));
+  rows.push_back(
+      Row(view + ".distance", number(&OrbitSettings::distance), unit, "From how far this view looks; 0 fits everything.")
+          .within(0, kLargest));
+}
+
+void add_view(std::vector<Field>& rows) {
+  rows.push_back(Row("view.maximised", maximised_choice(), "", "The one view that fills the window, or none."));
+  add_orbit(rows, "view.world", &ViewSettings::world, "scene units");
+  add_orbit(rows, "view.cube", &ViewSettings::cube, "half cube sides");
+  rows.push_back(Row("view.map_center", PSM_REF(Vec2Ref, view.map_center), "half map sides",
+                     "The point of the shadow map at the middle of its view.")
+                     .within(-1e6, 1e6));
+  rows.push_back(Row("view.map_zoom", PSM_REF(NumberRef, view.map_zoom), "", "How much the map view is enlarged; 1 shows it all.")
+                     .within(1e-3, 1e6));
+}
+
+#undef PSM_REF
+#undef PSM_CHOICE
+
+std::vector<Field> make_fields() {
+  std::vector<Field> rows;
+  add_scene_and_camera(rows);
+  add_light(rows);
+  add_shadow(rows);
+  add_view(rows);
+  return rows;
+}
+
+std::string range_text(const Field& field) {
+  return std::string(field.open_min ? "(" : "[") + number_text(field.min) + ", " + number_text(field.max) +
+         (field.open_max ? ")" : "]");
+}
+
+std::string allowed_vector(const Field& field, const char* count) {
+  return std::string(count) + " numbers in " + range_text(field) + (field.nonzero ? ", not all zero" : "");
+}
+
+struct AllowedValues {
+  const Field& field;
+  std::string operator()(const NumberRef&) const {
+    return "a number in " + range_text(field) + (field.may_be_infinite ? ", or inf" : "");
+  }
+  std::string operator()(const IntRef&) const { return "a whole number in " + range_text(field); }
+  std::string operator()(const Vec2Ref&) const { return allowed_vector(field, "two"); }
+  std::string operator()(const Vec3Ref&) const { return allowed_vector(field, "three"); }
+  std::string operator()(const TextRef&) const { return "a built-in scene's id, or a path to a .gltf or .glb file"; }
+  std::string operator()(const AutoNumberRef&) const { return field.absent + ", or a number in " + range_text(field); }
+  std::string operator()(const AutoPlaneRef&) const {
+    return field.absent + ", or four numbers a, b, c, d in " + range_text(field) + " with a, b, c not all zero";
+  }
+  std::string operator()(const Choice& choice) const {
+    std::string text = "one of: ";
+    for (std::size_t i = 0; i < choice.names.size(); ++i) text += (i > 0 ? ", " : "") + choice.names[i];
+    return text;
+  }
+};
+
+/// The rows hand out references for writing; reading through them leaves the experiment as it is.
+template <class Ref>
+const auto& read(const Ref& ref, const Experiment& experiment) {
+  return ref(const_cast<Experiment&>(experiment));
+}
+
+template <int N>
+std::string list_text(const glm::vec<N, double>& v) {
+  std::string text;
+  for (int i = 0; i < N; ++i) text += (i > 0 ? "," : "") + number_text(v[i]);
+  return text;
+}
+
+struct ValueText {
+  const Field& field;
+  const Experiment& experiment;
+  std::string operator()(const NumberRef& ref) const { return number_text(read(ref, experiment)); }
+  std::string operator()(const IntRef& ref) const { return std::to_string(read(ref, experiment)); }
+  std::string operator()(const Vec2Ref& ref) const { return list_text<2>(read(ref, experiment)); }
+  std::string operator()(const Vec3Ref& ref) const { return list_text<3>(read(ref, experiment)); }
+  std::string operator()(const TextRef& ref) const { return read(ref, experiment); }
+  std::string operator()(const AutoNumberRef& ref) const {
+    const auto& value = read(ref, experiment);
+    return value ? number_text(*value) : field.absent;
+  }
+  std::string operator()(const AutoPlaneRef& ref) const {
+    const auto& value = read(ref, experiment);
+    return value ? list_text<4>(*value) : field.absent;
+  }
+  std::string operator()(const Choice& choice) const {
+    const int index = choice.get(experiment);
+    return index >= 0 && index < int(choice.names.size()) ? choice.names[index] : std::to_string(index);
+  }
+};
+
+struct InRange {
+  const Field& field;
+  const Experiment& experiment;
+
+  bool number(double x) const {
+    if (field.may_be_infinite && x == HUGE_VAL) return true;
+    return (field.open_min ? x > field.min : x >= field.min) && (field.open_max ? x < field.max : x <= field.max);
+  }
+  template <int N>
+  bool vector(const glm::vec<N, double>& v, int nonzero_components) const {
+    double largest = 0.0;
+    for (int i = 0; i < N; ++i) {
+      if (!number(v[i])) return false;
+      if (i < nonzero_components) largest = std::max(largest, std::abs(v[i]));
+    }
+    // Shorter than this, a squared length leaves the doubles: no direction is left to read.
+    return !field.nonzero || largest >= 1e-150;
+  }
+  bool operator()(const NumberRef& ref) const { return number(read(ref, experiment)); }
+  bool operator()(const IntRef& ref) const { return number(read(ref, experiment)); }
+  bool operator()(const Vec2Ref& ref) const { return vector<2>(read(ref, experiment), 2); }
+  bool operator()(const Vec3Ref& ref) const { return vector<3>(read(ref, experiment), 3); }
+  bool operator()(const TextRef& ref) const {
+    const std::string& text = read(ref, experiment);
+    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    return !text.empty() && text.size() <= 4096 && std::none_of(text.begin(), text.end(), is_control);
+  }
+  bool operator()(const AutoNumberRef& ref) const {
+    const auto& value = read(ref, experiment);
+    return !value || number(*value);
+  }
+  bool operator()(const AutoPlaneRef& ref) const {
+    const auto& value = read(ref, experiment);
+    return !value || vector<4>(*value, 3);
+  }
+  bool operator()(const Choice& choice) const {
+    const int index = choice.get(experiment);
+    return index >= 0 && index < int(choice.names.size());
+  }
+};
+
+InputError not_allowed(const std::string& path, const std::string& value, const std::string& allowed) {
+  return {path + ": " + value + " is not allowed; allowed: " + allowed};
+}
+
+/// Unit vector without overflow or underflow on the way.
+glm::dvec3 direction(const glm::dvec3& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return glm::normalize(v / largest);
+}
+
+std::optional<InputError> check_camera(const CameraSettings& camera) {
+  if (!(camera.far > camera.near))
+    return not_allowed("camera.far", number_text(camera.far),
+                       "a number greater than camera.near (" + number_text(camera.near) + "), or inf");
+  if (camera.position == camera.target)
+    return not_allowed("camera.target", list_text<3>(camera.target), "a point other than camera.position");
+  const glm::dvec3 sine = glm::cross(direction(camera.target - camera.position), direction(camera.up));
+  if (!(glm::length(sine) > 1e-9))
+    return not_allowed("camera.up", list_text<3>(camera.up),
+                       "a direction that is not parallel to the view direction from camera.position to camera.target");
+  return std::nullopt;
+}
+
+}  // namespace
+
+const std::vector<Field>& experiment_fields() {
+  static const std::vector<Field> fields = make_fields();
+  return fields;
+}
+
+const Field* find_field(const std::string& path) {
+  for (const Field& field : experiment_fields())
+    if (field.path == path) return &field;
+  return nullptr;
+}
+
+std::string allowed_values(const Field& field) { return std::visit(AllowedValues{field}, field.member); }
+
+std::string value_text(const Field& field, const Experiment& experiment) {
+  return std::visit(ValueText{field, experiment}, field.member);
+}
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  char text[40];
+  for (int digits = 15; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  return text;
+}
+
+std::optional<InputError> check_field(const Field& field, const Experiment& experiment) {
+  if (std::visit(InRange{field, experiment}, field.member)) return std::nullopt;
+  return not_allowed(field.path, value_text(field, experiment), allowed_values(field));
+}
+
+std::optional<InputError> check_experiment(const Experiment& experiment) {
+  for (const Field& field : experiment_fields())
+    if (field.applies(experiment))
+      if (auto error = check_field(field, experiment)) return error;
+  if (auto error = check_camera(experiment.camera)) return error;
+  const LightSettings& light = experiment.light;
+  if (light.type == LightType::spot && light.position == light.target)
+    return not_allowed("light.target", list_text<3>(light.target), "a point other than light.position");
+  return std::nullopt;
+}
+
+const char* name_of(LightType type) { return kLightTypes[std::size_t(type)]; }
+const char* name_of(Technique technique) { return kTechniques[std::size_t(technique)]; }
+const char* name_of(ViewId id) { return kViews[std::size_t(id)]; }
+
+std::vector<std::string> technique_names() { return as_list(kTechniques); }
+
+std::optional<Technique> technique_from_name(const std::string& name) {
+  const auto found = std::find(kTechniques.begin(), kTechniques.end(), name);
+  if (found == kTechniques.end()) return std::nullopt;
+  return Technique(found - kTechniques.begin());
+}
+
+}  // namespace psm
