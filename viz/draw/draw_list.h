@@ -64,11 +64,15 @@ struct DrawList {
   std::vector<DrawLabel> labels;
 };
 
-/// sRGB, 0 to 1. `text_color` is a darker variant with contrast of at least 4.5:1 on white.
+/// sRGB, 0 to 1. `role_color` is for fills and points; lines and text need more contrast on white: darker variants of the same hue,
+/// at least 3:1 for lines and 4.5:1 for text (the palette's orange, sky blue and yellow have 2.3, 2.3 and 1.3).
 glm::vec3 role_color(Role role);
+glm::vec3 role_line_color(Role role);
 glm::vec3 role_text_color(Role role);
 
-/// A label's place on the picture: pixels, y downwards.
+/// A label's place on the picture: pixels, y downwards. `top_left`, `size`: the text's box, as measured; label_margin * scale around
+/// it stays free of other labels and of the picture's border, for a plate.
+constexpr double label_margin = 4.0;
 struct PlacedLabel {
   glm::dvec2 top_left, size;
   glm::dvec2 anchor;   // where the leader ends
