@@ -7,11 +7,15 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "scene/experiment_members.h"
+
 namespace psm {
 namespace {
 
 // Lengths and coordinates stay where their squares and products with a 1e6 : 1 frustum keep full precision.
 constexpr double kLargest = 1e12, kSmallest = 1e-12;
+// Directions and planes are of any length whose square is still a double.
+constexpr double kLongest = 1e100, kShortest = 1e-100;
 
 constexpr std::array kLightTypes{"directional", "point", "spot"};
 constexpr std::array kTechniques{"uniform",    "psm",         "lispsm",          "lispsm_reference", "glpr",
@@ -32,7 +36,7 @@ struct Row : Field {
   Row&& within(double low, double high) && { return min = low, max = high, std::move(*this); }
   Row&& open() && { return open_min = open_max = true, std::move(*this); }
   Row&& or_infinite() && { return may_be_infinite = true, std::move(*this); }
-  Row&& not_zero() && { return nonzero = true, std::move(*this); }
+  Row&& direction() && { return nonzero = true, std::move(*this).within(-kLongest, kLongest); }
   Row&& absent_is(const char* word) && { return absent = word, std::move(*this); }
   Row&& when(std::function<bool(const Experiment&)> condition) && { return applies = std::move(condition), std::move(*this); }
   Row&& coordinate() && { return std::move(*this).within(-kLargest, kLargest); }
@@ -67,8 +71,7 @@ void add_scene_and_camera(std::vector<Field>& rows) {
   rows.push_back(
       Row("camera.target", PSM_REF(Vec3Ref, camera.target), "scene units", "The point the camera looks at.").coordinate());
   rows.push_back(Row("camera.up", PSM_REF(Vec3Ref, camera.up), "", "The direction that is upwards in the image, of any length.")
-                     .coordinate()
-                     .not_zero());
+                     .direction());
   rows.push_back(Row("camera.vertical_fov_deg", PSM_REF(NumberRef, camera.vertical_fov_deg), "deg",
                      "Full vertical opening angle of the camera.")
                      .within(0, 180)
@@ -89,8 +92,7 @@ void add_light(std::vector<Field>& rows) {
   rows.push_back(Row("light.type", PSM_CHOICE(as_list(kLightTypes), light.type), "", "A directional, a point or a spot light."));
   rows.push_back(
       Row("light.to_light", PSM_REF(Vec3Ref, light.to_light), "", "The direction towards the light, of any length but zero.")
-          .coordinate()
-          .not_zero()
+          .direction()
           .when(is_directional));
   rows.push_back(
       Row("light.position", PSM_REF(Vec3Ref, light.position), "scene units", "Where the light is.").coordinate().when(is_placed));
@@ -125,12 +127,10 @@ void add_shadow(std::vector<Field>& rows) {
   rows.push_back(
       Row("shadow.receiver_plane", PSM_REF(AutoPlaneRef, shadow.receiver_plane), "",
           "The plane a, b, c, d on which plane_optimal gives every texel the same size; auto: the largest visible flat area.")
-          .coordinate()
-          .not_zero());
+          .direction());
   rows.push_back(
       Row("shadow.plane", PSM_REF(AutoPlaneRef, shadow.plane), "", "The vanishing plane a, b, c, d of technique custom.")
-          .coordinate()
-          .not_zero()
+          .direction()
           .absent_is("null"));
 }
 
@@ -179,7 +179,7 @@ std::string range_text(const Field& field) {
 }
 
 std::string allowed_vector(const Field& field, const char* count) {
-  return std::string(count) + " numbers in " + range_text(field) + (field.nonzero ? ", not all zero" : "");
+  return std::string(count) + " numbers in " + range_text(field) + (field.nonzero ? ", not all of them (nearly) zero" : "");
 }
 
 struct AllowedValues {
@@ -193,7 +193,7 @@ struct AllowedValues {
   std::string operator()(const TextRef&) const { return "a built-in scene's id, or a path to a .gltf or .glb file"; }
   std::string operator()(const AutoNumberRef&) const { return field.absent + ", or a number in " + range_text(field); }
   std::string operator()(const AutoPlaneRef&) const {
-    return field.absent + ", or four numbers a, b, c, d in " + range_text(field) + " with a, b, c not all zero";
+    return field.absent + ", or four numbers a, b, c, d in " + range_text(field) + " with a, b, c not all (nearly) zero";
   }
   std::string operator()(const Choice& choice) const {
     std::string text = "one of: ";
@@ -252,8 +252,7 @@ struct InRange {
       if (!number(v[i])) return false;
       if (i < nonzero_components) largest = std::max(largest, std::abs(v[i]));
     }
-    // Shorter than this, a squared length leaves the doubles: no direction is left to read.
-    return !field.nonzero || largest >= 1e-150;
+    return !field.nonzero || largest >= kShortest;
   }
   bool operator()(const NumberRef& ref) const { return number(read(ref, experiment)); }
   bool operator()(const IntRef& ref) const { return number(read(ref, experiment)); }
@@ -277,10 +276,6 @@ struct InRange {
     return index >= 0 && index < int(choice.names.size());
   }
 };
-
-InputError not_allowed(const std::string& path, const std::string& value, const std::string& allowed) {
-  return {path + ": " + value + " is not allowed; allowed: " + allowed};
-}
 
 /// Unit vector without overflow or underflow on the way.
 glm::dvec3 direction(const glm::dvec3& v) {

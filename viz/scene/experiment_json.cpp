@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Experiments from and to JSON, driven by the table.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "scene/experiment_file.h"
+#include "scene/experiment_members.h"
+#include "scene/json_node.h"
+
+namespace psm {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Thrown inside the parser's callback, and caught where the parser is called.
+struct Refused {
+  InputError error;
+};
+
+/// Follows the parser, to refuse what the tree would no longer show (a member given twice) or should not hold (deep nesting).
+class ParseGuard {
+ public:
+  bool operator()(int, ordered_json::parse_event_t event, ordered_json& parsed) {
+    using Event = ordered_json::parse_event_t;
+    if (event == Event::object_start || event == Event::array_start) enter();
+    if (event == Event::object_end || event == Event::array_end) levels_.pop_back();
+    if (event == Event::key) name(parsed.get<std::string>());
+    return true;
+  }
+
+  std::string path() const {
+    std::string text;
+    for (const Level& level : levels_)
+      if (!level.current.empty()) text += (text.empty() ? "" : ".") + level.current;
+    return quotable(text);
+  }
+
+ private:
+  struct Level {
+    std::set<std::string> names;
+    std::string current;
+  };
+
+  void enter() {
+    constexpr std::size_t deepest = 16;
+    if (levels_.size() == deepest)
+      throw Refused{{(path().empty() ? "the file" : path()) + ": nested too deeply; allowed: 16 levels"}};
+    levels_.emplace_back();
+  }
+  void name(const std::string& text) {
+    levels_.back().current = text;
+    if (!levels_.back().names.insert(text).second) throw Refused{{path() + ": given twice; allowed: once"}};
+  }
+
+  std::vector<Level> levels_;
+};
+
+/// The parser's message without its own identifier, "[json.exception.parse_error.101] ".
+std::string parser_message(const std::exception& error) {
+  const std::string text = error.what();
+  const std::size_t end = text.find("] ");
+  std::string line = text.starts_with("[json") && end != std::string::npos ? text.substr(end + 2) : text;
+  if (line.size() > 200) line = line.substr(0, 200) + "...";
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
+  return line;
+}
+
+Result<ordered_json> parse(const std::string& text) {
+  ParseGuard guard;
+  try {
+    return ordered_json::parse(text, std::ref(guard));
+  } catch (const Refused& refused) {
+    return refused.error;
+  } catch (const ordered_json::out_of_range& error) {
+    return InputError{guard.path() + ": " + parser_message(error) + "; allowed: finite numbers, and \"inf\" for camera.far"};
+  } catch (const ordered_json::exception& error) {
+    return InputError{"not JSON: " + parser_message(error) + "; allowed: an experiment as JSON"};
+  }
+}
+
+std::string shown(const ordered_json& json) { return quotable(json.dump()); }
+
+std::optional<double> number_in(const ordered_json& json) {
+  if (json.is_number()) return json.get<double>();
+  if (json == "inf") return HUGE_VAL;
+  if (json == "-inf") return -HUGE_VAL;
+  return std::nullopt;
+}
+
+template <int N>
+bool read_vector(const ordered_json& json, glm::vec<N, double>& values) {
+  if (!json.is_array() || json.size() != N) return false;
+  for (int i = 0; i < N; ++i) {
+    if (!json[std::size_t(i)].is_number()) return false;
+    values[i] = json[std::size_t(i)].get<double>();
+  }
+  return true;
+}
+
+/// Writes the value into the member; false where the JSON is not of the member's kind.
+struct ReadJson {
+  const Field& field;
+  const ordered_json& json;
+  Experiment& experiment;
+
+  bool is_absent() const { return field.absent == "null" ? json.is_null() : json == field.absent; }
+  bool operator()(const NumberRef& ref) const {
+    const auto number = number_in(json);
+    if (number) ref(experiment) = *number;
+    return number.has_value();
+  }
+  bool operator()(const IntRef& ref) const {
+    if (!json.is_number()) return false;
+    const double number = json.get<double>();
+    if (std::trunc(number) != number || std::abs(number) > 1e9) return false;
+    ref(experiment) = int(number);
+    return true;
+  }
+  bool operator()(const Vec2Ref& ref) const { return read_vector<2>(json, ref(experiment)); }
+  bool operator()(const Vec3Ref& ref) const { return read_vector<3>(json, ref(experiment)); }
+  bool operator()(const TextRef& ref) const {
+    if (!json.is_string()) return false;
+    ref(experiment) = json.get<std::string>();
+    return true;
+  }
+  bool operator()(const AutoNumberRef& ref) const {
+    const auto number = number_in(json);
+    if (!number && !is_absent()) return false;
+    ref(experiment) = number;
+    return true;
+  }
+  bool operator()(const AutoPlaneRef& ref) const {
+    glm::dvec4 plane;
+    const bool is_plane = read_vector<4>(json, plane);
+    if (!is_plane && !is_absent()) return false;
+    ref(experiment) = is_plane ? std::optional<glm::dvec4>(plane) : std::nullopt;
+    return true;
+  }
+  bool operator()(const Choice& choice) const {
+    if (!json.is_string()) return false;
+    const auto found = std::find(choice.names.begin(), choice.names.end(), json.get<std::string>());
+    if (found == choice.names.end()) return false;
+    choice.set(experiment, int(found - choice.names.begin()));
+    return true;
+  }
+};
+
+bool is_object_of_members(const std::string& path) {
+  const auto& fields = experiment_fields();
+  return std::any_of(fields.begin(), fields.end(), [&](const Field& f) { return f.path.starts_with(path + "."); });
+}
+
+std::optional<InputError> read_members(const ordered_json& object, const std::string& prefix, ExperimentMembers& members);
+
+std::optional<InputError> read_member(const std::string& path, const ordered_json& json, ExperimentMembers& members) {
+  if (const Field* field = find_field(path)) {
+    if (!std::visit(ReadJson{*field, json, members.values}, field->member) || check_field(*field, members.values))
+      return not_allowed(path, shown(json), allowed_values(*field));
+    members.set.push_back(field);
+    return std::nullopt;
+  }
+  if (!is_object_of_members(path)) return unknown_member(path);
+  if (!json.is_object()) return not_allowed(path, shown(json), "an object with members");
+  return read_members(json, path + ".", members);
+}
+
+std::optional<InputError> read_members(const ordered_json& object, const std::string& prefix, ExperimentMembers& members) {
+  for (const auto& [name, json] : object.items()) {
+    if (prefix.empty() && name == "psmlab") {
+      if (json != 1) return not_allowed("psmlab", shown(json), "1, the version of the file that this program reads");
+    } else if (name.find('.') != std::string::npos) {
+      return unknown_member(prefix + name);  // "camera.near" is two members, one in the other
+    } else if (auto error = read_member(prefix + name, json, members)) {
+      return error;
+    }
+  }
+  return std::nullopt;
+}
+
+struct MemberNode {
+  const Field& field;
+  Experiment& experiment;
+
+  JsonNode absent() const { return field.absent == "null" ? JsonNode() : JsonNode(field.absent); }
+  JsonNode operator()(const NumberRef& ref) const { return ref(experiment); }
+  JsonNode operator()(const IntRef& ref) const { return JsonNode::integer(ref(experiment)); }
+  JsonNode operator()(const Vec2Ref& ref) const { return ref(experiment); }
+  JsonNode operator()(const Vec3Ref& ref) const { return ref(experiment); }
+  JsonNode operator()(const TextRef& ref) const { return ref(experiment); }
+  JsonNode operator()(const AutoNumberRef& ref) const {
+    const auto& value = ref(experiment);
+    return value ? JsonNode(*value) : absent();
+  }
+  JsonNode operator()(const AutoPlaneRef& ref) const {
+    const auto& value = ref(experiment);
+    return value ? JsonNode(*value) : absent();
+  }
+  JsonNode operator()(const Choice&) const { return value_text(field, experiment); }
+};
+
+/// The node at a dotted path, with the objects on the way.
+JsonNode& node_at(JsonNode& root, const std::string& path) {
+  const std::size_t dot = path.find('.');
+  JsonNode& child = root[path.substr(0, dot)];
+  if (dot == std::string::npos) return child;
+  child.make_object();
+  return node_at(child, path.substr(dot + 1));
+}
+
+}  // namespace
+
+Result<ExperimentMembers> members_from_json(const std::string& json_text) {
+  const auto json = parse(json_text);
+  if (!json) return json.error();
+  if (!json->is_object()) return InputError{"not an object; allowed: an experiment, { \"psmlab\": 1, ... }"};
+  ExperimentMembers members;
+  if (auto error = read_members(*json, "", members)) return *error;
+  return members;
+}
+
+JsonNode experiment_node(const Experiment& experiment) {
+  Experiment copy = experiment;
+  JsonNode root = JsonNode::object();
+  root["psmlab"] = JsonNode::integer(1);
+  for (const Field& field : experiment_fields())
+    if (field.applies(experiment)) node_at(root, field.path) = std::visit(MemberNode{field, copy}, field.member);
+  return root;
+}
+
+std::string experiment_to_json(const Experiment& experiment) { return experiment_node(experiment).to_text() + "\n"; }
+
+}  // namespace psm

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/experiment_members.h"
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+#include "scene/experiment_file.h"
+
+namespace psm {
+namespace {
+
+/// Decimal notation only, whatever the locale; nothing where the text is no number or beyond the doubles.
+std::optional<double> number_from_text(const std::string& text) {
+  if (text == "inf") return HUGE_VAL;
+  if (text == "-inf") return -HUGE_VAL;
+  if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos) return std::nullopt;
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double value = 0.0;
+  if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
+  return value;
+}
+
+/// "0,1,-0.2", or the same in brackets and with blanks, as it is copied from a file.
+template <int N>
+bool read_list(std::string text, glm::vec<N, double>& values) {
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  if (text.size() >= 2 && text.front() == '[' && text.back() == ']') text = text.substr(1, text.size() - 2);
+  for (int i = 0; i < N; ++i) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string::npos) != (i == N - 1)) return false;
+    const auto number = number_from_text(text.substr(0, comma));
+    if (!number) return false;
+    values[i] = *number;
+    if (comma != std::string::npos) text.erase(0, comma + 1);
+  }
+  return true;
+}
+
+/// Writes the value into the member; false where the text is not of the member's kind.
+struct ReadText {
+  const Field& field;
+  const std::string& text;
+  Experiment& experiment;
+
+  bool operator()(const NumberRef& ref) const {
+    const auto number = number_from_text(text);
+    if (number) ref(experiment) = *number;
+    return number.has_value();
+  }
+  bool operator()(const IntRef& ref) const {
+    const auto number = number_from_text(text);
+    if (!number || std::trunc(*number) != *number || std::abs(*number) > 1e9) return false;
+    ref(experiment) = int(*number);
+    return true;
+  }
+  bool operator()(const Vec2Ref& ref) const { return read_list<2>(text, ref(experiment)); }
+  bool operator()(const Vec3Ref& ref) const { return read_list<3>(text, ref(experiment)); }
+  bool operator()(const TextRef& ref) const { return ref(experiment) = text, true; }
+  bool operator()(const AutoNumberRef& ref) const {
+    const auto number = number_from_text(text);
+    if (!number && text != field.absent) return false;
+    ref(experiment) = number;
+    return true;
+  }
+  bool operator()(const AutoPlaneRef& ref) const {
+    glm::dvec4 plane;
+    const bool is_plane = read_list<4>(text, plane);
+    if (!is_plane && text != field.absent) return false;
+    ref(experiment) = is_plane ? std::optional<glm::dvec4>(plane) : std::nullopt;
+    return true;
+  }
+  bool operator()(const Choice& choice) const {
+    const auto found = std::find(choice.names.begin(), choice.names.end(), text);
+    if (found == choice.names.end()) return false;
+    choice.set(experiment, int(found - choice.names.begin()));
+    return true;
+  }
+};
+
+/// Reads one override into `experiment`, range checked; the row that it set.
+Result<const Field*> read_override(Experiment& experiment, const std::string& path_and_value) {
+  const std::size_t equals = path_and_value.find('=');
+  if (equals == std::string::npos || equals == 0)
+    return InputError{quotable(path_and_value) + ": no value; allowed: PATH=VALUE, such as light.to_light=0,1,-0.2"};
+  const std::string path = path_and_value.substr(0, equals), value = path_and_value.substr(equals + 1);
+  const Field* field = find_field(path);
+  if (!field) return unknown_member(path);
+  if (!std::visit(ReadText{*field, value, experiment}, field->member) || check_field(*field, experiment))
+    return not_allowed(path, value.empty() ? "an empty value" : quotable(value), allowed_values(*field));
+  return field;
+}
+
+void copy_member(const Field& field, const Experiment& from, Experiment& to) {
+  std::visit(
+      [&](const auto& member) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Choice>) {
+          member.set(to, member.get(from));
+        } else {
+          member(to) = member(const_cast<Experiment&>(from));
+        }
+      },
+      field.member);
+}
+
+}  // namespace
+
+bool ExperimentMembers::has(const std::string& path) const {
+  return std::any_of(set.begin(), set.end(), [&](const Field* field) { return field->path == path; });
+}
+
+void ExperimentMembers::copy_to(Experiment& experiment) const {
+  for (const Field* field : set) copy_member(*field, values, experiment);
+}
+
+Result<ExperimentMembers> members_from_overrides(const std::vector<std::string>& overrides) {
+  ExperimentMembers members;
+  for (const std::string& text : overrides) {
+    const auto field = read_override(members.values, text);
+    if (!field) return field.error();
+    members.set.push_back(*field);
+  }
+  return members;
+}
+
+std::optional<InputError> set_field(Experiment& experiment, const std::string& path_and_value) {
+  Experiment changed = experiment;
+  const auto field = read_override(changed, path_and_value);
+  if (!field) return field.error();
+  if (auto error = check_experiment(changed)) return error;
+  experiment = std::move(changed);
+  return std::nullopt;
+}
+
+std::string quotable(const std::string& text) {
+  constexpr std::size_t most = 80;
+  std::size_t length = std::min(text.size(), most);
+  const auto continues_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  while (length < text.size() && length > 0 && continues_character(text[length])) --length;
+  std::string line = text.substr(0, length);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return length < text.size() ? line + "..." : line;
+}
+
+InputError not_allowed(const std::string& path, const std::string& value, const std::string& allowed) {
+  return {path + ": " + value + " is not allowed; allowed: " + allowed};
+}
+
+InputError unknown_member(const std::string& path) {
+  // The deepest object of the path that exists, and the names in it.
+  std::string parent = path;
+  std::vector<std::string> names;
+  while (names.empty()) {
+    const std::size_t dot = parent.rfind('.');
+    parent = dot == std::string::npos ? "" : parent.substr(0, dot);
+    const std::string prefix = parent.empty() ? "" : parent + ".";
+    for (const Field& field : experiment_fields()) {
+      if (!field.path.starts_with(prefix)) continue;
+      const std::string name = field.path.substr(prefix.size(), field.path.find('.', prefix.size()) - prefix.size());
+      if (names.empty() || names.back() != name) names.push_back(name);
+    }
+  }
+  std::string allowed;
+  for (const std::string& name : names) allowed += (allowed.empty() ? "" : ", ") + (parent.empty() ? name : parent + "." + name);
+  return {quotable(path) + ": no such member; allowed: " + allowed};
+}
+
+}  // namespace psm
