@@ -98,9 +98,12 @@ TEST(ConvexBody, HullWithLightHoldsTheRaysAndNoMore) {
       double lo = 0, hi = 20;
       for (const Plane& p : b.planes) {
         const double at_x = at(p, x), slope = glm::dot(glm::dvec3(p), away);
-        if (slope > 0) lo = std::max(lo, -at_x / slope);
-        else if (slope < 0) hi = std::min(hi, -at_x / slope);
-        else if (at_x < 0) hi = -1;
+        if (slope > 0)
+          lo = std::max(lo, -at_x / slope);
+        else if (slope < 0)
+          hi = std::min(hi, -at_x / slope);
+        else if (at_x < 0)
+          hi = -1;
       }
       explained = lo <= hi;
       if (direction || glm::dot(x - l, b.centroid() - l) > 0 || explained) {

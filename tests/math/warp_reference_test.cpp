@@ -27,7 +27,8 @@ std::vector<Row> read_table() {
     std::string text[11];
     for (std::string& t : text) s >> t;
     const auto number = [&](int i) { return std::stod(text[i]); };
-    rows.push_back({number(0), number(1), number(2), number(3), text[4], number(5), number(6), number(7), number(8), number(9), number(10)});
+    rows.push_back(
+        {number(0), number(1), number(2), number(3), text[4], number(5), number(6), number(7), number(8), number(9), number(10)});
   }
   return rows;
 }
@@ -48,7 +49,8 @@ TEST(WarpReference, EveryRow) {
   const std::vector<Row> rows = read_table();
   ASSERT_EQ(rows.size(), 4732u);
   for (const Row& r : rows) {
-    SCOPED_TRACE(::testing::Message() << r.n << " " << r.f << " phi " << r.phi_deg << " theta " << r.theta_deg << " " << r.technique);
+    SCOPED_TRACE(::testing::Message() << r.n << " " << r.f << " phi " << r.phi_deg << " theta " << r.theta_deg << " "
+                                      << r.technique);
     const auto model = WarpModel<double>::from_degrees(r.n, r.f, r.phi_deg, r.theta_deg);
     const auto strength = warp_strength(warp_named(r.technique), model);
     if (std::isnan(r.F_n)) {

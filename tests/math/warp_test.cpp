@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Known values of the warp model: hard cases and corrections to the printed papers (n = 1, f = 100, phi = 30 degrees unless said).
-#include <gtest/gtest.h>
-
+// Known values of the warp model: hard cases and corrections to the printed papers (n = 1, f = 100, phi = 30 degrees unless
+// said).
 #include "math/warp.h"
+
+#include <gtest/gtest.h>
 
 namespace psm {
 namespace {
@@ -44,7 +45,8 @@ TEST(Warp, ScaleDoesNotMatter) {
   for (const double scale : {1e-6, 1e6})
     for (const double theta : {10.0, 30.0, 55.0, 90.0})
       for (int w = 0; w < 8; ++w) {
-        const auto a = warp_strength(Warp(w), at(theta)), b = warp_strength(Warp(w), Model::from_degrees(scale, 100 * scale, 30, theta));
+        const auto a = warp_strength(Warp(w), at(theta)),
+                   b = warp_strength(Warp(w), Model::from_degrees(scale, 100 * scale, 30, theta));
         EXPECT_EQ(a.exists, b.exists);
         if (a.exists) {
           EXPECT_NEAR(b.rho / a.rho, 1.0, 1e-13) << csv_name(Warp(w)) << " " << theta;
@@ -102,7 +104,8 @@ TEST(Warp, StorageFactorIsTheSameFromPsmToLispsm) {
 
 TEST(Warp, ShiftsBy5And20AreEquallyBad) {
   const Model m = at(90);
-  for (const double shift : {5.0, 20.0}) EXPECT_NEAR(warp_error(m, (1 + shift) / (100 + shift), m.tan_phi).F_max, 30.00778024, 1e-8);
+  for (const double shift : {5.0, 20.0})
+    EXPECT_NEAR(warp_error(m, (1 + shift) / (100 + shift), m.tan_phi).F_max, 30.00778024, 1e-8);
 }
 
 template <class T>

@@ -146,7 +146,9 @@ double two_areas(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) 
 
 }  // namespace
 
-double ConvexBody::volume() const { return empty() ? 0.0 : std::max(0.0, weighted_centroid(*this, 4.0, six_tetrahedra).first / 6.0); }
+double ConvexBody::volume() const {
+  return empty() ? 0.0 : std::max(0.0, weighted_centroid(*this, 4.0, six_tetrahedra).first / 6.0);
+}
 
 glm::dvec3 ConvexBody::centroid() const {
   assert(!empty());

@@ -9,13 +9,20 @@
 
 namespace psm {
 
-template <class T> using Vec2 = glm::vec<2, T, glm::highp>;
-template <class T> using Vec3 = glm::vec<3, T, glm::highp>;
-template <class T> using Vec4 = glm::vec<4, T, glm::highp>;
-template <class T> using Mat4 = glm::mat<4, 4, T, glm::highp>;
+template <class T>
+using Vec2 = glm::vec<2, T, glm::highp>;
+template <class T>
+using Vec3 = glm::vec<3, T, glm::highp>;
+template <class T>
+using Vec4 = glm::vec<4, T, glm::highp>;
+template <class T>
+using Mat4 = glm::mat<4, 4, T, glm::highp>;
 
 /// Rounding unit of T.
-template <class T> constexpr T epsilon() { return std::numeric_limits<T>::epsilon(); }
+template <class T>
+constexpr T epsilon() {
+  return std::numeric_limits<T>::epsilon();
+}
 
 /// A matrix from its rows.
 template <class T>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two-dimensional warp model of GMNPR 2007, section 2: how strongly each technique warps, and the aliasing error that follows.
+// The two-dimensional warp model of GMNPR 2007, section 2: how strongly each technique warps, and the aliasing error that
+// follows.
 //
-// Eye at the origin, view along z, frustum |y| <= z tan(phi), z in [n, f]; the light makes the angle theta in [0, pi/2] with the view
-// axis. The warp axis t = z sin(theta) - y cos(theta) is perpendicular to the light. Strength is carried as rho = P_n / P_f =
-// lambda / (1 + lambda) in (0, 1]: rho = 1 is the uniform map, exactly. Every form is a sum of non-negative terms wherever the
+// Eye at the origin, view along z, frustum |y| <= z tan(phi), z in [n, f]; the light makes the angle theta in [0, pi/2] with the
+// view axis. The warp axis t = z sin(theta) - y cos(theta) is perpendicular to the light. Strength is carried as rho = P_n / P_f
+// = lambda / (1 + lambda) in (0, 1]: rho = 1 is the uniform map, exactly. Every form is a sum of non-negative terms wherever the
 // mathematics allows it, so that the limits at pi/2, phi and 0 are exact.
 #pragma once
 
@@ -20,7 +21,8 @@ enum class Warp { uniform, lispsm, lispsm_reference, glpr, gmnpr, gmnpr_eq4, min
 
 /// The spelling of each in CSV files.
 constexpr std::string_view csv_name(Warp w) {
-  constexpr std::string_view names[] = {"SSM", "LISPSM", "LISPSM_GENERAL", "GLPR", "GMNPR", "GMNPR_EQ4", "MINIMAX", "MINIMAX_FRUSTUM"};
+  constexpr std::string_view names[] = {"SSM",   "LISPSM",    "LISPSM_GENERAL", "GLPR",
+                                        "GMNPR", "GMNPR_EQ4", "MINIMAX",        "MINIMAX_FRUSTUM"};
   return names[int(w)];
 }
 
@@ -46,8 +48,8 @@ struct WarpModel {
     return {n, f, std::atan2(sine, cosine), std::atan(tan_phi), tan_phi, S, C, S - C};
   }
 
-  bool above_critical() const { return S_minus_C >= T(0); }                                  // theta >= phi
-  T W() const { return above_critical() ? (f - n) * S + (f + n) * C : T(2) * f * C; }        // t_max - t_min
+  bool above_critical() const { return S_minus_C >= T(0); }                            // theta >= phi
+  T W() const { return above_critical() ? (f - n) * S + (f + n) * C : T(2) * f * C; }  // t_max - t_min
   T t_min() const { return (above_critical() ? n : f) * S_minus_C; }
 
   // N(z) = W tau + rho W (1 - tau) on the central line y = 0, with both terms non-negative.
@@ -129,26 +131,32 @@ WarpStrength<T> warp_strength(Warp technique, const WarpModel<T>& m) {
   const T g = std::sqrt(m.f) * std::sqrt(m.n);
   if (technique == Warp::uniform || !(m.f > m.n)) return {};
   switch (technique) {
-    case Warp::lispsm: return detail::strength_of(m.n + g, m.W() * m.S);
+    case Warp::lispsm:
+      return detail::strength_of(m.n + g, m.W() * m.S);
     case Warp::lispsm_reference: {  // N = d / (sqrt(z1 / z0) - 1), as the authors' code does it
       const T rho = std::sqrt(m.n / (m.n + m.W() * m.S));
       return {true, rho, m.W() * m.S / (m.n + m.W() * m.S) / (T(1) + rho)};
     }
-    case Warp::glpr: return detail::strength_of(m.above_critical() ? m.n * m.S_minus_C : m.f * m.S_minus_C, m.W());
+    case Warp::glpr:
+      return detail::strength_of(m.above_critical() ? m.n * m.S_minus_C : m.f * m.S_minus_C, m.W());
     case Warp::gmnpr: {
       if (m.above_critical()) return detail::equation_4(m);
       const T q = std::tan(T(0.785398163397448309615660845819875721L) * (m.theta / m.phi));
       return detail::strength_of(std::sqrt(m.n), T(2) * std::sqrt(m.f) * q);
     }
-    case Warp::gmnpr_eq4: return detail::equation_4(m);
-    case Warp::minimax: return detail::minimax_line(m);
-    case Warp::minimax_frustum: return detail::minimax_whole_frustum(m);
-    default: return {};
+    case Warp::gmnpr_eq4:
+      return detail::equation_4(m);
+    case Warp::minimax:
+      return detail::minimax_line(m);
+    case Warp::minimax_frustum:
+      return detail::minimax_whole_frustum(m);
+    default:
+      return {};
   }
 }
 
-/// Errors over the depth range. F_near, F_far, F_max, F_min, z_at_min: on the central line; E_max_frustum and storage_factor: over the
-/// whole frustum (of square cross-section tan_phi_x = tan_phi unless given).
+/// Errors over the depth range. F_near, F_far, F_max, F_min, z_at_min: on the central line; E_max_frustum and storage_factor:
+/// over the whole frustum (of square cross-section tan_phi_x = tan_phi unless given).
 template <class T>
 struct WarpError {
   T F_near, F_far, F_max, F_min, z_at_min;
