@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The built-in scenes; builtin_scenes.cpp lists them.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace psm {
+
+Scene make_chessboard();
+Scene make_ground();
+
+}  // namespace psm
