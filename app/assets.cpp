@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/assets.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace psm {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path existing(const fs::path& path, const char* remedy) {
+  std::error_code error;
+  if (fs::exists(path, error)) return path;
+  std::fprintf(stderr, "%s: not there; %s\n", path.c_str(), remedy);
+  std::exit(1);
+}
+
+}  // namespace
+
+fs::path assets_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return existing((program.parent_path() / "../share/psmlab/assets").lexically_normal(),
+                  "install psmlab, or run it where its build folder put it");
+}
+
+fs::path font_file() {
+  return existing("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "install the Debian package fonts-dejavu-core");
+}
+
+}  // namespace psm

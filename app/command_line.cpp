@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line.h"
+
+#include <fcntl.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+
+#include "app/commands.h"
+
+namespace psm {
+namespace {
+
+constexpr const char* kExperimentHelp =
+    "An experiment file (.psm.json), a .gltf or .glb file, or a built-in scene's id; without it, the chessboard";
+
+/// Everything that can be typed. CLI11 keeps references to it while it parses.
+struct Arguments {
+  ExperimentArguments experiment;  // of the window and of analyze
+  bool texels = false;
+  CurvesText curves;
+  RenderArguments render;
+  std::string scenes_folder;
+};
+
+CLI::Option* add_experiment(CLI::App& app, ExperimentArguments& arguments) {
+  // One value for each --set: what follows it is an argument of its own.
+  app.add_option("--set", arguments.overrides, "Sets one member, such as light.to_light=0,1,-0.2; may be given again")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  return app.add_option("EXPERIMENT", arguments.source, kExperimentHelp)->type_name("");
+}
+
+void add_curves(CLI::App& app, CurvesText& curves) {
+  app.add_option("--n", curves.n, "Distance of the nearest receiver")->type_name("N")->required();
+  app.add_option("--f", curves.f, "Distance of the farthest receiver")->type_name("F")->required();
+  app.add_option("--phi-deg", curves.phi_deg, "Half the vertical opening angle, in (0, 90)")->type_name("P")->required();
+  app.add_option("--theta-deg", curves.theta_deg,
+                 "Angles between light and view: A:B:STEP, or a comma-separated list, in [0, 180]")
+      ->type_name("LIST")
+      ->required();
+  app.add_option("--techniques", curves.techniques,
+                 "Comma-separated list of SSM, LISPSM, LISPSM_GENERAL, GLPR, GMNPR, GMNPR_EQ4, MINIMAX, MINIMAX_FRUSTUM; "
+                 "without it, all but the last")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+void add_render(CLI::App& app, RenderArguments& render) {
+  add_experiment(app, render.experiment);
+  app.add_option("--view", render.views, "Comma-separated list of world, cube, map, eye; without it, all four")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--out", render.out, "The picture to write; several views share it in two columns")
+      ->type_name("FILE.png")
+      ->required();
+  app.add_option("--size", render.size, "Size of the whole picture in pixels; without it, the experiment's image")
+      ->type_name("WxH");
+  app.add_option("--scale", render.scale, "Enlarges lines and type, in [0.25, 8]")->type_name("S");
+  app.add_option("--theme", render.theme, "light or dark")->type_name("THEME");
+}
+
+/// CLI11's own message, in one line; it names the flag but not what is allowed.
+int refuse(const CLI::ParseError& error, const CLI::App& app) {
+  const auto used = app.get_subcommands();
+  const std::string command = used.empty() ? "psmlab" : "psmlab " + used.front()->get_name();
+  complain(std::string(error.what()) + "; allowed: see " + command + " --help");
+  return kBadInput;
+}
+
+int parse_and_run(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("psmlab: perspective shadow maps, to look at and to measure. Without a command it opens the window.", "psmlab");
+  app.set_version_flag("--version", "psmlab " PSMLAB_VERSION);
+  app.require_subcommand(0, 1);
+  CLI::Option* window_experiment = add_experiment(app, arguments.experiment);
+  CLI::App& analyze = *app.add_subcommand("analyze", "Prints the analysis of an experiment as JSON");
+  add_experiment(analyze, arguments.experiment);
+  analyze.add_flag("--texels", arguments.texels, "Asks for the statistics of texels on the image");
+  CLI::App& curves = *app.add_subcommand("curves", "Prints the error model as CSV, a row for each angle and technique");
+  add_curves(curves, arguments.curves);
+  CLI::App& render = *app.add_subcommand("render", "Writes views as a PNG, without a display");
+  add_render(render, arguments.render);
+  CLI::App& scenes = *app.add_subcommand("scenes", "Lists the built-in scenes, or writes them as .glb");
+  CLI::Option* write = scenes.add_option("--write", arguments.scenes_folder, "The folder to write them to")->type_name("DIR");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForVersion& version) {
+    return print(std::string(version.what()) + "\n") && std::fflush(stdout) == 0 ? kDone : kOtherFailure;
+  } catch (const CLI::CallForHelp&) {
+    const auto used = app.get_subcommands();
+    const std::string help = used.empty() ? app.help() : used.front()->help("psmlab");
+    return print(help) && std::fflush(stdout) == 0 ? kDone : kOtherFailure;
+  } catch (const CLI::ParseError& error) {
+    return refuse(error, app);
+  }
+  // An experiment before the command's name would be lost without a word.
+  if (!app.get_subcommands().empty() && (window_experiment->count() > 0 || app.count("--set") > 0)) {
+    complain("EXPERIMENT and --set: not before the command's name; allowed: after it");
+    return kBadInput;
+  }
+  if (analyze.parsed()) return print_analysis(arguments.experiment, arguments.texels);
+  if (curves.parsed()) return print_curves(arguments.curves);
+  if (render.parsed()) return render_views(arguments.render);
+  if (scenes.parsed()) return write->count() > 0 ? write_scenes(arguments.scenes_folder) : list_scenes();
+  return show_window(arguments.experiment);
+}
+
+/// A program started with closed standard streams must not find its own files under their numbers.
+void reserve_standard_streams() {
+  for (int stream = 0; stream <= 2; ++stream)
+    if (fcntl(stream, F_GETFD) == -1) (void)!open("/dev/null", O_RDONLY);
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  reserve_standard_streams();
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that left is a failed write, not a sudden end
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    complain("out of memory");
+  } catch (const std::exception& error) {
+    complain(std::string("internal error: ") + error.what());
+  }
+  return kOtherFailure;
+}
+
+}  // namespace psm

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include "app/command_line.h"
+#include "app/headless_context.h"
+#include "app/numbers.h"
+#include "app/render.h"
+#include "app/window.h"
+#include "figure/png.h"
+#include "scene/analysis.h"
+#include "scene/experiment_file.h"
+
+namespace psm {
+namespace {
+
+namespace fs = std::filesystem;
+
+int bad_input(const InputError& error) {
+  complain(error.text);
+  return kBadInput;
+}
+
+int other_failure(const InputError& error) {
+  complain(error.text);
+  return kOtherFailure;
+}
+
+int finish_printing(bool printed) {
+  if (printed && std::fflush(stdout) == 0) return kDone;
+  return other_failure({std::string("standard output: cannot be written: ") + std::strerror(errno ? errno : EIO)});
+}
+
+InputError not_allowed(const char* flag, const std::string& value, const std::string& allowed) {
+  return {std::string(flag) + ": " + quoted_argument(value) + " is not allowed; allowed: " + allowed};
+}
+
+Result<LoadedExperiment> load(const ExperimentArguments& arguments) {
+  if (arguments.source && arguments.source->empty())
+    return InputError{
+        "EXPERIMENT: an empty name; allowed: an experiment file (.psm.json), a .gltf or .glb file, or a built-in scene's id"};
+  return load_experiment(arguments.source.value_or(""), arguments.overrides);
+}
+
+Result<std::vector<ViewId>> parse_views(const std::vector<std::string>& names) {
+  std::vector<ViewId> views;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(std::begin(kAllViews), std::end(kAllViews), [&](ViewId id) { return name == name_of(id); });
+    if (found == std::end(kAllViews)) return not_allowed("--view", name, "a list of: world, cube, map, eye");
+    views.push_back(*found);
+  }
+  if (views.empty()) views.assign(std::begin(kAllViews), std::end(kAllViews));
+  if (views.size() > 16) return InputError{"--view: " + std::to_string(views.size()) + " views; allowed: up to 16"};
+  return views;
+}
+
+Result<glm::ivec2> check_size(double width, double height, const std::string& shown) {
+  const auto whole = [](double side) { return side >= 1 && side <= kLargestSide && std::trunc(side) == side; };
+  if (!whole(width) || !whole(height) || width * height > double(kMostPixels))
+    return not_allowed("--size", shown, "WIDTHxHEIGHT in pixels, each in [1, 16384], together at most 67108864 pixels");
+  return glm::ivec2(int(width), int(height));
+}
+
+Result<glm::ivec2> parse_size(const std::string& text, const ImageSettings& image) {
+  if (text.empty())
+    return check_size(image.width, image.height, std::to_string(image.width) + "x" + std::to_string(image.height));
+  const std::vector<std::string> sides = split(text, 'x');
+  const auto width = number_from_argument(sides[0]), height = number_from_argument(sides.back());
+  return check_size(sides.size() == 2 ? width.value_or(0) : 0, height.value_or(0), text);
+}
+
+Result<RenderRequest> parse_request(const RenderArguments& arguments, const ImageSettings& image) {
+  RenderRequest request;
+  auto views = parse_views(arguments.views);
+  if (!views) return views.error();
+  request.views = *views;
+  const auto size = parse_size(arguments.size, image);
+  if (!size) return size.error();
+  request.size = *size;
+  const auto scale = number_from_argument(arguments.scale);
+  if (!scale || !(*scale >= 0.25 && *scale <= 8)) return not_allowed("--scale", arguments.scale, "a number in [0.25, 8]");
+  request.scale = *scale;
+  if (arguments.theme != "light" && arguments.theme != "dark") return not_allowed("--theme", arguments.theme, "light or dark");
+  request.theme = arguments.theme == "dark" ? Theme::dark : Theme::light;
+  return request;
+}
+
+/// What is wrong with it as a target for a PNG, before anything is drawn.
+std::optional<InputError> check_png_name(const std::string& out) {
+  const fs::path path = out;
+  if (path.extension() != ".png" || path.stem().empty()) return not_allowed("--out", out, "the name of a .png file");
+  std::error_code error;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (!fs::is_directory(folder, error)) return not_allowed("--out", out, "a .png file in an existing folder");
+  return std::nullopt;
+}
+
+int draw_to_file(const LoadedExperiment& loaded, const RenderRequest& request, const fs::path& out) {
+  const auto layout = lay_out(request);
+  if (!layout) return bad_input(layout.error());
+  const auto context = HeadlessContext::create();
+  if (!context) return other_failure(context.error());
+  const Image image = draw_views(loaded, request, *layout);
+  const auto error = write_png(out, image.width, image.height, image.rgba);
+  return error ? bad_input(*error) : kDone;
+}
+
+/// Where a picture may be left without being asked where: the current folder, or else the one for temporary files.
+fs::path place_for_views() {
+  const fs::path here = fs::absolute("psmlab-views.png");
+  const fs::path probe = here.parent_path() / ".psmlab-probe.tmp";
+  std::error_code error;
+  if (write_file_atomically(probe, "")) return fs::temp_directory_path(error) / here.filename();
+  fs::remove(probe, error);
+  return here;
+}
+
+int draw_without_display(const LoadedExperiment& loaded) {
+  complain("no display: no window can be opened, so the four views are written as a picture instead");
+  RenderRequest request;
+  request.views.assign(std::begin(kAllViews), std::end(kAllViews));
+  request.size = {1920, 1080};
+  const fs::path out = place_for_views();
+  const int code = draw_to_file(loaded, request, out);
+  return code == kDone ? finish_printing(print(out.string() + "\n")) : code;
+}
+
+}  // namespace
+
+bool print(const std::string& text) {
+  errno = 0;
+  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+}
+
+void complain(const std::string& line) { std::fprintf(stderr, "%s\n", one_line(line).c_str()); }
+
+int show_window(const ExperimentArguments& arguments) {
+  const auto loaded = load(arguments);
+  if (!loaded) return bad_input(loaded.error());
+  if (!display_available()) return draw_without_display(*loaded);
+  const auto error = run_window(*loaded);
+  return error ? other_failure(*error) : kDone;
+}
+
+int print_analysis(const ExperimentArguments& arguments, bool texels) {
+  const auto loaded = load(arguments);
+  if (!loaded) return bad_input(loaded.error());
+  Analysis analysis = analyze(loaded->experiment, loaded->scene);
+  if (texels)
+    analysis.notes.push_back({"texels_not_computed", "Texel statistics are not built yet.", std::nullopt, std::nullopt});
+  return finish_printing(print(analysis_to_json(analysis, loaded->scene)));
+}
+
+int print_curves(const CurvesText& text) {
+  const auto curves = parse_curves(text);
+  if (!curves) return bad_input(curves.error());
+  return finish_printing(write_curves(*curves, print));
+}
+
+int render_views(const RenderArguments& arguments) {
+  if (auto error = check_png_name(arguments.out)) return bad_input(*error);
+  const auto loaded = load(arguments.experiment);
+  if (!loaded) return bad_input(loaded.error());
+  const auto request = parse_request(arguments, loaded->experiment.image);
+  if (!request) return bad_input(request.error());
+  return draw_to_file(*loaded, *request, arguments.out);
+}
+
+int list_scenes() {
+  std::string text;
+  for (const std::string& id : builtin_scene_ids()) text += id + "\n";
+  return finish_printing(print(text));
+}
+
+int write_scenes(const std::string& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed || folder.empty()) return bad_input(not_allowed("--write", folder, "a folder that exists or can be made"));
+  std::string written;
+  for (const std::string& id : builtin_scene_ids()) {
+    const fs::path file = fs::path(folder) / (id + ".glb");
+    const auto scene = builtin_scene(id);
+    if (!scene) return bad_input(scene.error());
+    if (auto error = write_glb(*scene, file)) return bad_input(*error);
+    written += file.string() + "\n";
+  }
+  return finish_printing(print(written));
+}
+
+}  // namespace psm

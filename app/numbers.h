@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers and lists in arguments and CSV files.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace psm {
+
+/// Decimal notation, whatever the locale; nothing where the text is not a finite number as a whole.
+std::optional<double> number_from_argument(const std::string& text);
+
+/// The parts between separators; "" has one empty part.
+std::vector<std::string> split(const std::string& text, char separator);
+
+/// 17 significant digits; "inf", "-inf", "nan".
+std::string csv_number(double value);
+
+/// An argument as a message shows it: one line, not too long, and visible where it is empty.
+std::string quoted_argument(const std::string& text);
+
+/// Any text as one line: control characters become blanks.
+std::string one_line(std::string text);
+
+}  // namespace psm

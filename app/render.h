@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Views as pictures, without a display.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "gl/renderer.h"
+#include "scene/experiment_file.h"
+
+namespace psm {
+
+struct RenderRequest {
+  std::vector<ViewId> views;  // one fills the picture; several share it in two columns, each under its title
+  glm::ivec2 size{1280, 720};
+  double scale = 1.0;  // of line widths and type
+  Theme theme = Theme::light;
+};
+
+constexpr ViewId kAllViews[] = {ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};
+constexpr int kLargestSide = 16384;
+constexpr std::int64_t kMostPixels = 64 << 20;
+
+/// Where the views go; an error, starting with "--size", where the picture has no room for them.
+struct RenderLayout {
+  std::vector<glm::ivec2> origins;  // top left of each view
+  glm::ivec2 tile{0};               // size of each
+  int caption_height = 0, gap = 0;  // 0 for a single view
+};
+Result<RenderLayout> lay_out(const RenderRequest& request);
+
+/// Draws the views of `request`, which lay_out accepts. Needs a current OpenGL context.
+Image draw_views(const LoadedExperiment& loaded, const RenderRequest& request, const RenderLayout& layout);
+
+}  // namespace psm
