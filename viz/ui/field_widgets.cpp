@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/field_widgets.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace psm {
+namespace {
+
+std::string last_part(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+
+std::string with_unit(const Field& field, double value) {
+  const std::string number = short_number(value);
+  if (field.unit == "deg") return number + "°";
+  if (field.unit == "texels" || field.unit == "px") return number + " " + field.unit;
+  return number;
+}
+
+/// Powers of two within the range.
+std::vector<Tick> power_ticks(const SliderRange& range) {
+  std::vector<Tick> ticks;
+  for (double p = std::exp2(std::ceil(std::log2(range.min))); p <= range.max; p *= 2) ticks.push_back({p, "", Role::neutral});
+  return ticks;
+}
+
+/// What a pixel of dragging is worth.
+float drag_speed(const Field& field, double size) {
+  if (field.unit == "scene units") return float(size / 400.0);
+  return field.unit == "px" ? 2.0f : 0.01f;
+}
+
+struct RowWidgets {
+  UiContext& ui;
+  const Field& field;
+  Experiment& experiment;
+  double size;
+  float width;
+
+  void slider(double& value, const SliderRange& range, const std::vector<Tick>& ticks) const {
+    ImGui::SetNextItemWidth(width);
+    ticked_slider("##value", value, range, ticks, with_unit(field, value), ui.theme);
+    note_place(ui, field.path);
+  }
+
+  void component(double& value, int index, const std::string& name, float item_width) const {
+    ImGui::PushID(index);
+    ImGui::SetNextItemWidth(item_width);
+    ImGui::DragScalar("##component", ImGuiDataType_Double, &value, drag_speed(field, size), nullptr, nullptr, "%.4g",
+                      ImGuiSliderFlags_NoRoundToFormat);
+    note_place(ui, name);
+    ImGui::PopID();
+  }
+
+  template <class Vector>
+  void components(Vector& v) const {
+    constexpr const char* names[] = {".x", ".y", ".z", ".w"};
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const int count = Vector::length();
+    const float each = std::floor((width - gap * float(count - 1)) / float(count));
+    for (int i = 0; i < count; ++i) {
+      if (i > 0) ImGui::SameLine(0.0f, gap);
+      component(v[i], i, field.path + names[i], each);
+    }
+  }
+
+  void operator()(const NumberRef& ref) const {
+    double& value = ref(experiment);
+    const auto range = slider_range(field, size);
+    if (field.may_be_infinite) return or_infinite(value, *range);
+    if (range)
+      slider(value, *range, {});
+    else
+      component(value, 0, field.path, width);
+  }
+
+  void or_infinite(double& value, const SliderRange& range) const {
+    bool infinite = std::isinf(value);
+    if (ImGui::Checkbox("∞", &infinite)) value = infinite ? std::numeric_limits<double>::infinity() : finite_default(range);
+    note_place(ui, field.path + ".infinite");
+    ImGui::SameLine();
+    const RowWidgets rest{ui, field, experiment, size, ImGui::GetContentRegionAvail().x - (full_width() - width)};
+    ImGui::BeginDisabled(infinite);
+    rest.slider(value, range, {});
+    ImGui::EndDisabled();
+  }
+  double finite_default(const SliderRange& range) const {
+    Experiment original = ui.model.original();
+    const double value = std::get<NumberRef>(field.member)(original);
+    return std::isinf(value) ? range.max : value;
+  }
+  float full_width() const { return width + reset_width(); }
+  static float reset_width() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x; }
+
+  void operator()(const IntRef& ref) const {
+    int& value = ref(experiment);
+    const auto range = slider_range(field, size);
+    if (!range) {
+      ImGui::SetNextItemWidth(width);
+      ImGui::DragInt("##value", &value, drag_speed(field, size), int(field.min), int(field.max), ("%d " + field.unit).c_str());
+      return note_place(ui, field.path);
+    }
+    double number = value;
+    slider(number, *range, power_ticks(*range));
+    if (number != value && std::isfinite(number)) value = int(std::lround(std::clamp(number, field.min, field.max)));
+  }
+  void operator()(const Vec2Ref& ref) const { components(ref(experiment)); }
+  void operator()(const Vec3Ref& ref) const { components(ref(experiment)); }
+
+  /// "auto" with a check mark, else the value. `standard`: where the value begins when "auto" goes.
+  template <class Value, class Draw>
+  void or_absent(std::optional<Value>& value, const Value& standard, Draw draw) const {
+    bool absent = !value;
+    if (ImGui::Checkbox(field.absent == "null" ? "none" : field.absent.c_str(), &absent))
+      value = absent ? std::nullopt : std::optional<Value>(standard);
+    note_place(ui, field.path + ".absent");
+    if (value) draw(*value);
+  }
+  void operator()(const AutoNumberRef& ref) const {
+    or_absent(ref(experiment), ui.model.analysis().camera_shift, [this](double& x) {
+      ImGui::SameLine();
+      component(x, 0, field.path, ImGui::GetContentRegionAvail().x - reset_width());
+    });
+  }
+  void operator()(const AutoPlaneRef& ref) const {
+    // The plane in use is the best start for one to drag.
+    const glm::dvec4 standard = ui.model.analysis().vanishing_plane.value_or(glm::dvec4(0, 1, 0, 0));
+    const bool usable = glm::length(glm::dvec3(standard)) > 0.0;
+    or_absent(ref(experiment), usable ? standard : glm::dvec4(0, 1, 0, 0), [this](glm::dvec4& plane) { components(plane); });
+  }
+
+  void operator()(const Choice& choice) const {
+    const int current = choice.get(experiment);
+    ImGui::SetNextItemWidth(width);
+    const bool open = ImGui::BeginCombo("##value", choice.names[std::size_t(current)].c_str());
+    note_place(ui, field.path);
+    if (!open) return;
+    for (int i = 0; i < int(choice.names.size()); ++i) {
+      if (ImGui::Selectable(choice.names[std::size_t(i)].c_str(), i == current)) choice.set(experiment, i);
+      note_place(ui, field.path + "=" + choice.names[std::size_t(i)]);
+    }
+    ImGui::EndCombo();
+  }
+
+  void operator()(const TextRef& ref) const {
+    char text[4097];
+    std::snprintf(text, sizeof text, "%s", ref(experiment).c_str());
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::InputText("##value", text, sizeof text, ImGuiInputTextFlags_EnterReturnsTrue)) ref(experiment) = text;
+    note_place(ui, field.path);
+  }
+};
+
+bool needs_own_line(const Field& field) {
+  return std::holds_alternative<Vec3Ref>(field.member) || std::holds_alternative<AutoPlaneRef>(field.member);
+}
+
+void reset_button(UiContext& ui, const Field& field, Experiment& experiment) {
+  const bool differs = value_text(field, experiment) != value_text(field, ui.model.original());
+  ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight());
+  if (!differs) return ImGui::Dummy({ImGui::GetFrameHeight(), ImGui::GetFrameHeight()});
+  if (ImGui::Button("↺", {ImGui::GetFrameHeight(), ImGui::GetFrameHeight()})) copy_field(field, ui.model.original(), experiment);
+  note_place(ui, field.path + ".reset");
+  rest_tooltip("Back to " + value_text(field, ui.model.original()));
+}
+
+}  // namespace
+
+std::string field_group(const Field& field) { return field.path.substr(0, field.path.find('.')); }
+
+std::string field_label(const Field& field) {
+  std::string label = field.path.substr(field.path.find('.') + 1);
+  std::replace(label.begin(), label.end(), '.', ' ');
+  std::replace(label.begin(), label.end(), '_', ' ');
+  if (label.size() > 4 && label.ends_with(" deg")) label.resize(label.size() - 4);
+  if (label == "vertical fov") label = "field of view";
+  return label;
+}
+
+double scene_size(const Scene& scene) {
+  const double size = scene.bounds.empty() ? 1.0 : glm::length(scene.bounds.max - scene.bounds.min);
+  return size > 0.0 && std::isfinite(size) ? size : 1.0;
+}
+
+std::optional<SliderRange> slider_range(const Field& field, double size) {
+  const std::string name = last_part(field.path);
+  if (field.unit == "deg") {
+    const double inset = field.open_min ? 1.0 : 0.0;
+    return SliderRange{std::max(field.min, -180.0) + inset, std::min(field.max, 180.0) - inset, false, false};
+  }
+  if (name == "near" || name == "far") return SliderRange{size * 1e-4, size * 1e2, true, false};
+  if (name == "resolution") return SliderRange{field.min, field.max, true, true};
+  if (name == "depth_bias") return SliderRange{0.0, 10.0, false, false};
+  if (name == "map_zoom") return SliderRange{0.1, 1000.0, true, false};
+  return std::nullopt;
+}
+
+void field_row(UiContext& ui, const Field& field, Experiment& experiment) {
+  if (!field.applies(experiment)) return;
+  ImGui::PushID(field.path.c_str());
+  const float region = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
+  const float label_width = std::floor(region * 0.36f), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const bool own_line = needs_own_line(field);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(field_label(field).c_str());
+  const float text_end = ImGui::GetItemRectSize().x;
+  if (!own_line) ImGui::SameLine(left + std::max(label_width, text_end + gap));
+  const float width = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - gap;
+  ImGui::BeginGroup();
+  std::visit(RowWidgets{ui, field, experiment, scene_size(ui.model.scene()), std::max(16.0f, width)}, field.member);
+  ImGui::EndGroup();
+  rest_tooltip(field.help + "\n" + value_text(field, experiment) + (field.unit.empty() ? "" : " " + field.unit) + "; allowed: " +
+               allowed_values(field));
+  ImGui::SameLine();
+  reset_button(ui, field, experiment);
+  ImGui::PopID();
+}
+
+}  // namespace psm

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/keys.h"
+
+namespace psm {
+
+const std::vector<KeyBinding>& key_bindings() {
+  constexpr Modifiers none{}, control{true, false, false}, control_shift{true, true, false}, shift{false, true, false};
+  static const std::vector<KeyBinding> table = {
+      {key::f1, none, Action::help, "F1", "list the keys"},
+      {'1', none, Action::maximise_world, "1", "world view alone"},
+      {'2', none, Action::maximise_cube, "2", "unit cube alone"},
+      {'3', none, Action::maximise_map, "3", "shadow map alone"},
+      {'4', none, Action::maximise_eye, "4", "eye view alone"},
+      {'0', none, Action::show_all, "0", "all four views"},
+      {key::escape, none, Action::show_all, "Esc", "all four views"},
+      {'F', none, Action::fit_views, "F", "views back to where they show everything"},
+      {'T', none, Action::technique_next, "T", "next technique"},
+      {'T', shift, Action::technique_previous, "Shift+T", "previous technique"},
+      {'R', none, Action::reset, "R", "experiment back to how it was opened"},
+      {'Z', control, Action::undo, "Ctrl+Z", "undo"},
+      {'Y', control, Action::redo, "Ctrl+Y", "redo"},
+      {'Z', control_shift, Action::redo, "Ctrl+Shift+Z", "redo"},
+      {'O', control, Action::open, "Ctrl+O", "open an experiment or a glTF file"},
+      {'S', control, Action::save, "Ctrl+S", "save the experiment"},
+      {'P', none, Action::save_picture, "P", "save a PNG of the window, or of the view that is alone"},
+      {key::f12, none, Action::save_picture, "F12", "the same"},
+      {'C', control, Action::copy_state, "Ctrl+C", "copy the experiment as text"},
+      {'H', none, Action::toggle_pane, "H", "hide or show the control pane"},
+      {'D', none, Action::toggle_theme, "D", "light or dark theme"},
+      {',', control, Action::settings, "Ctrl+,", "settings: scale, font size, theme"},
+      {'=', control, Action::bigger, "Ctrl+=", "everything bigger"},
+      {'-', control, Action::smaller, "Ctrl+-", "everything smaller"},
+  };
+  return table;
+}
+
+std::optional<Action> action_of(const KeyPress& press) {
+  for (const KeyBinding& binding : key_bindings())
+    if (binding.key == press.key && binding.modifiers == press.modifiers) return binding.action;
+  return std::nullopt;
+}
+
+}  // namespace psm

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The keys: one table that binds them and that the help (F1) prints.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/input_queue.h"
+
+namespace psm {
+
+enum class Action {
+  help, undo, redo, open, save, save_picture, reset, fit_views, maximise_world, maximise_cube, maximise_map, maximise_eye,
+  show_all, toggle_pane, toggle_theme, settings, bigger, smaller, technique_next, technique_previous, copy_state
+};
+
+struct KeyBinding {
+  int key;
+  Modifiers modifiers;
+  Action action;
+  const char* name;  // as printed: "Ctrl+Z"
+  const char* text;  // what it does
+};
+
+/// In the order in which the help lists them.
+const std::vector<KeyBinding>& key_bindings();
+
+/// What this key does, if anything.
+std::optional<Action> action_of(const KeyPress& press);
+
+}  // namespace psm

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace psm {
+namespace {
+
+int part(int whole, double fraction) { return int(std::lround(whole * fraction)); }
+
+void place_four(Layout& out, const Rect& area, const LayoutSettings& settings, int splitter) {
+  const glm::ivec2 size = area.size();
+  const int left = area.min.x + std::max(0, part(size.x, settings.column) - splitter / 2), right = left + splitter;
+  const int top = area.min.y + std::max(0, part(size.y, settings.row) - splitter / 2), below = top + splitter;
+  out.views[std::size_t(ViewId::world)] = {area.min, {left, top}};
+  out.views[std::size_t(ViewId::cube)] = {{right, area.min.y}, {area.max.x, top}};
+  out.views[std::size_t(ViewId::map)] = {{area.min.x, below}, {left, area.max.y}};
+  out.views[std::size_t(ViewId::eye)] = {{right, below}, area.max};
+  out.column_splitter = {{left, area.min.y}, {right, area.max.y}};
+  out.row_splitter = {{area.min.x, top}, {area.max.x, below}};
+}
+
+}  // namespace
+
+Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, std::optional<ViewId> maximised, int badge_height, int splitter) {
+  Layout out;
+  const int bottom = std::max(0, window.y - badge_height);
+  out.badges = {{0, bottom}, window};
+  Rect area{{0, 0}, {window.x, bottom}};
+  if (settings.pane_shown) {
+    const int pane_left = window.x - part(window.x, settings.pane);
+    area.max.x = std::max(0, pane_left - splitter);
+    out.pane_splitter = {{area.max.x, 0}, {pane_left, bottom}};
+    out.pane = {{pane_left, 0}, {window.x, bottom}};
+  }
+  if (maximised)
+    out.views[std::size_t(*maximised)] = area;
+  else
+    place_four(out, area, settings, splitter);
+  return out;
+}
+
+LayoutSettings move_splitter(Splitter which, glm::dvec2 to, glm::ivec2 window, LayoutSettings s, int badge_height) {
+  const double area_width = std::max(1.0, window.x * (s.pane_shown ? 1.0 - s.pane : 1.0));
+  if (which == Splitter::pane) s.pane = 1.0 - to.x / std::max(1, window.x);
+  if (which == Splitter::column) s.column = to.x / area_width;
+  if (which == Splitter::row) s.row = to.y / std::max(1, window.y - badge_height);
+  Settings limits;
+  limits.layout = s;
+  return clamped(limits).layout;
+}
+
+LayoutSettings reset_splitter(Splitter which, LayoutSettings s) {
+  const LayoutSettings standard;
+  if (which == Splitter::pane) s.pane = standard.pane;
+  if (which == Splitter::column) s.column = standard.column;
+  if (which == Splitter::row) s.row = standard.row;
+  return s;
+}
+
+}  // namespace psm

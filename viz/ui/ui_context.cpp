@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/ui_context.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace psm {
+
+void note_place(UiContext& ui, const std::string& name) {
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  ui.places[name] = {{int(min.x), int(min.y)}, {int(max.x), int(max.y)}};
+}
+
+void rest_tooltip(const std::string& text) {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive() || g.HoveredIdTimer < 0.4f) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+std::string short_number(double value, int digits) {
+  if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+}  // namespace psm

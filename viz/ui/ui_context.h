@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every widget of a frame may look at.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "ui/layout.h"
+#include "ui/model.h"
+#include "ui/settings.h"
+
+namespace psm {
+
+/// Where each widget stood in the last frame, by name ("camera.near", "light.to_light.x", "theta", "view.world"): tests and scripts
+/// find them here.
+using Places = std::map<std::string, Rect>;
+
+struct UiContext {
+  const Model& model;
+  Theme theme;
+  double scale;  // pixels per pixel at scale 1
+  Places& places;
+};
+
+/// Notes the place of the widget that was submitted last.
+void note_place(UiContext& ui, const std::string& name);
+
+/// A tooltip for the widget that was submitted last, once the mouse has rested on it for 0.4 s.
+void rest_tooltip(const std::string& text);
+
+/// A short number: at most `digits` significant ones; "∞" for infinity.
+std::string short_number(double value, int digits = 4);
+
+}  // namespace psm
