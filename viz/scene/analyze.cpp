@@ -303,7 +303,7 @@ void fit_single_map(Stages& s, Analysis& a, const ConvexBody& receivers) {
     note(a, "depth_padded", "Casters and receivers have no extent along the light: the depth range is padded.");
   if (fit.near_distance_used)
     note(a, "light_near_distance",
-         "The light stands inside the scene: the map's depth starts at a near distance, here as a fraction of the "
+         "The light stands in or close to the scene: the map's depth starts at a near distance, here as a fraction of the "
          "farthest receiver's.",
          fit.near_c);
 }
