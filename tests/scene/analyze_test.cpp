@@ -74,7 +74,7 @@ void expect_contract(const Analysis& a) {
     ASSERT_GT(q.w, 0);
     u.add(q.x / q.w), v.add(q.y / q.w), w.add(q.w);
   }
-  for (const dvec3& p : a.caster_body.vertices) {
+  for (const dvec3& p : a.depth_body.vertices) {
     const dvec4 q = M * dvec4(p, 1);
     if (near_distance && q.w < 1e-3) continue;  // the light itself, or as good as it
     ASSERT_GT(q.w, 0);
@@ -245,6 +245,23 @@ TEST(Analyze, WorseThanUniformIsSaid) {
   EXPECT_TRUE(has_note(a, "worse_than_uniform"));
   x.light.to_light = {0, 1, 0};
   EXPECT_FALSE(analyze(x, box_scene({-1000, -1, -1000}, {1000, 1.6, 1000})).worse_than_uniform);
+}
+
+bool inside(const ConvexBody& body, dvec3 p, double tolerance) {
+  return std::all_of(body.planes.begin(), body.planes.end(),
+                     [&](const Plane& q) { return glm::dot(q, dvec4(p, 1)) >= -tolerance * glm::length(dvec3(q)); });
+}
+
+TEST(Analyze, CasterBodyHoldsTheReceiversAndTheirCasters) {
+  Random r(6);
+  for (int round = 0; round < 1000; ++round) {
+    const Analysis a = analyze(random_experiment(r), kRoom);
+    if (a.receivers_body.empty()) continue;
+    ASSERT_FALSE(a.caster_body.empty());
+    for (const dvec3& p : a.receivers_body.vertices) EXPECT_TRUE(inside(a.caster_body, p, 1e-9));
+    for (const dvec3& p : a.depth_body.vertices) EXPECT_TRUE(inside(a.caster_body, p, 1e-9));
+    EXPECT_LE(a.depth_body.volume(), a.caster_body.volume() * (1 + 1e-9));
+  }
 }
 
 TEST(Analyze, ScaleDoesNotMatter) {

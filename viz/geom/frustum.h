@@ -37,4 +37,22 @@ inline std::vector<Plane> frustum_planes(const ViewFrame& v, double near, double
   return planes;
 }
 
+/// The half-spaces of hull(V + light) for the whole frustum V, in the plane form of convex_body.h. An infinite far face is the
+/// plane at infinity, on which no direction and every position is inside.
+inline std::vector<Plane> frustum_hull_with_light(const ViewFrame& v, double near, double far, const glm::dvec4& light) {
+  std::vector<Plane> sides = frustum_planes(v, near, far);
+  if (std::isinf(far)) sides.push_back(Plane(0, 0, 0, 1));
+  std::vector<Plane> hull;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double at_i = glm::dot(sides[i], light);
+    if (at_i >= 0) hull.push_back(sides[i]);
+    for (std::size_t j = 0; j < 6; ++j) {
+      if (i / 2 == j / 2) continue;  // opposite sides share no edge
+      const double at_j = glm::dot(sides[j], light);
+      if (at_i >= 0 && at_j < 0) hull.push_back(at_i * sides[j] - at_j * sides[i]);
+    }
+  }
+  return hull;
+}
+
 }  // namespace psm

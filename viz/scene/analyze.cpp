@@ -113,6 +113,7 @@ void set_bodies(Stages& s, Analysis& a) {
   s.lit_scene = clip(a.scene_body, spot_planes(s, a));
   a.receivers_body = clip(s.lit_scene, s.view_planes);
   a.light_case.inside_frustum = s.light.w != 0 && contains(s.view_planes, s.light);
+  a.caster_body = clip(s.lit_scene, frustum_hull_with_light(s.view, s.x.camera.near, s.x.camera.far, s.light));
   const bool in_scene = s.light.w != 0 && contains(a.scene_body.planes, s.light);
   s.light_in_receivers = in_scene && a.light_case.inside_frustum && s.x.light.type == LightType::point;
   a.light_case.inside_receivers = s.light_in_receivers;
@@ -295,7 +296,7 @@ void fit_single_map(Stages& s, Analysis& a, const ConvexBody& receivers) {
   s.frame = light_frame(s.light, s.centroid, s.view.forward, s.view.up);
   dvec4 plane = a.receivers_body.empty() ? s.uniform : technique_plane(s, a, points);
   require_positive(plane, s, a, points);
-  const auto fit = fit_map<double>(s.frame, plane, points, a.caster_body.vertices);
+  const auto fit = fit_map<double>(s.frame, plane, points, a.depth_body.vertices);
   a.map_from_world = fit.map_from_world;
   a.vanishing_plane = row(fit.map_from_world, 3);
   if (fit.padded_window) note(a, "window_padded", "The receivers have no extent across the light: the window is padded.");
@@ -326,7 +327,7 @@ void compare_with_uniform(const Stages& s, Analysis& a) {
   if (!a.map_from_world || a.technique_used == Technique::uniform) return;
   const std::vector<SurfacePoint> points = sample_scene_box(s.view, a);
   if (points.empty()) return;
-  const auto uniform = fit_map<double>(s.frame, s.uniform, a.receivers_body.vertices, a.caster_body.vertices);
+  const auto uniform = fit_map<double>(s.frame, s.uniform, a.receivers_body.vertices, a.depth_body.vertices);
   const double here = texel_percentile(points, *a.map_from_world, a, 0.95),
                there = texel_percentile(points, uniform.map_from_world, a, 0.95);
   if (!(here > there * (1 + 1e-9))) return;
@@ -356,11 +357,11 @@ Analysis analyze(const Experiment& experiment, const Scene& scene) {
   }
   set_depth_range(s, a, receivers);
   if (s.light_in_receivers) {
-    a.caster_body = receivers;
+    a.depth_body = receivers;
     fit_six_maps(s, a, receivers);
     return a;
   }
-  a.caster_body = clip(s.lit_scene, hull_with_light(receivers, s.light));
+  a.depth_body = clip(s.lit_scene, hull_with_light(receivers, s.light));
   fit_single_map(s, a, receivers);
   compare_with_uniform(s, a);
   return a;
