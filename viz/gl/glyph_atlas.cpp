@@ -118,7 +118,7 @@ void GlyphAtlas::upload(const std::vector<std::uint8_t>& coverage, int side) {
 }
 
 const Glyph& GlyphAtlas::glyph(char32_t character) const {
-  static const Glyph kNothing;
+  static const Glyph kNothing{};
   if (const auto found = glyphs_.find(character); found != glyphs_.end()) return found->second;
   const auto missing = glyphs_.find(kMissing);
   return missing != glyphs_.end() ? missing->second : kNothing;

@@ -16,7 +16,7 @@ namespace psm::gl {
 
 /// A glyph's quad: pixels relative to the pen on the baseline, y downwards; and its place on the atlas.
 struct Glyph {
-  glm::vec2 min, max, atlas_min, atlas_max;
+  glm::vec2 min{0.0f}, max{0.0f}, atlas_min{0.0f}, atlas_max{0.0f};
   float advance = 0.0f;
 };
 

@@ -32,33 +32,32 @@ struct Renderer::State {
 namespace {
 
 struct PixelRect {
-  GLint x, y;
-  GLsizei width, height;
+  int left, bottom, right, top;
 };
 
 /// The clip-space rectangle min x, min y, max x, max y in whole pixels, inside the picture.
 PixelRect pixel_rect(const glm::dvec4& rect, glm::ivec2 size) {
   const auto pixel = [](double clip, int extent) { return int(std::lround((std::clamp(clip, -1.0, 1.0) * 0.5 + 0.5) * extent)); };
-  const int x = pixel(rect.x, size.x), y = pixel(rect.y, size.y);
-  return {x, y, std::max(0, pixel(rect.z, size.x) - x), std::max(0, pixel(rect.w, size.y) - y)};
+  return {pixel(rect.x, size.x), pixel(rect.y, size.y), pixel(rect.z, size.x), pixel(rect.w, size.y)};
 }
 
-void clear_color(const glm::vec3& color) {
+void clear(const PixelRect& rect, const glm::vec3& color) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(rect.left, rect.bottom, std::max(0, rect.right - rect.left), std::max(0, rect.top - rect.bottom));
   const std::array<float, 4> rgba{color.r, color.g, color.b, 1.0f};
+  const float far_end = 1.0f;
   glClearBufferfv(GL_COLOR, 0, rgba.data());
+  glClearBufferfv(GL_DEPTH, 0, &far_end);
+  glDisable(GL_SCISSOR_TEST);
 }
 
-/// Leaves the scissor on the eye's image.
-void clear_picture(const ViewPicture& picture, glm::ivec2 size, Theme theme) {
-  glViewport(0, 0, size.x, size.y);
-  glEnable(GL_SCISSOR_TEST);  // the framebuffer may be larger than the picture
-  glScissor(0, 0, size.x, size.y);
-  clear_color(gl::outside_color(theme));
-  const float far_end = 1.0f;
-  glClearBufferfv(GL_DEPTH, 0, &far_end);
+/// Clears beside the eye's image, after the scene: some drivers let multisampled triangles reach beyond a scissor.
+void clear_outside(const ViewPicture& picture, glm::ivec2 size, Theme theme) {
   const PixelRect image = pixel_rect(picture.image_rect, size);
-  glScissor(image.x, image.y, image.width, image.height);
-  clear_color(gl::ground_color(theme));
+  for (const PixelRect& bar : {PixelRect{0, 0, image.left, size.y}, PixelRect{image.right, 0, size.x, size.y},
+                               PixelRect{0, 0, size.x, image.bottom}, PixelRect{0, image.top, size.x, size.y}}) {
+    if (bar.left < bar.right && bar.bottom < bar.top) clear(bar, gl::outside_color(theme));
+  }
 }
 
 }  // namespace
@@ -94,14 +93,14 @@ std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& an
   if (picture.scene == ScenePicture::map_depth) s.map_pass.prepare(s.shadow_pass);
 
   glBindFramebuffer(GL_FRAMEBUFFER, s.multisample.framebuffer());
-  clear_picture(picture, size, theme);
+  glViewport(0, 0, size.x, size.y);
+  clear({0, 0, size.x, size.y}, gl::ground_color(theme));  // the framebuffer may be larger than the picture
   if (picture.scene == ScenePicture::map_depth)
     s.map_pass.draw(picture, s.shadow_pass, scale, theme);
   else
     s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, theme);
-  glScissor(0, 0, size.x, size.y);
+  clear_outside(picture, size, theme);
   s.list_pass.draw(picture, {glm::dvec2(size), scale, theme});
-  glDisable(GL_SCISSOR_TEST);
   target.resolve_from(s.multisample);
   gl::check_errors("draw_view");
   return target.texture();

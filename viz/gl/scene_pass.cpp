@@ -12,6 +12,7 @@ namespace psm::gl {
 namespace {
 
 constexpr double kConeEdge = glm::radians(1.0);  // how soft a spot's edge is, inwards
+constexpr float kPushBack = 1.5f;                // pixels of slope, so that lines on a surface keep both halves of their width
 constexpr float kPointSize = 4.0f;               // pixels at scale 1, of a mesh's points
 
 /// Of any length but zero, to unit length; what is zero or not finite stays dark.
@@ -75,6 +76,8 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
 void ScenePass::draw_batches(const SceneBuffers& scene, float sign, bool clockwise_front) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(kPushBack, 1.0f);
   glFrontFace(clockwise_front ? GL_CW : GL_CCW);
   program_.set("u_sign", sign);
   scene.bind();
@@ -83,6 +86,7 @@ void ScenePass::draw_batches(const SceneBuffers& scene, float sign, bool clockwi
     scene.bind_material(batch, program_);
     scene.draw(batch);
   }
+  glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 MapPass::MapPass(const std::filesystem::path& shaders)

@@ -136,7 +136,7 @@ glm::vec2 ShadowPass::used_range() {
   constexpr int kBlocks = 64;  // along a side: few enough to read back, enough to keep the card busy
   glm::vec2 range(1.0f, 0.0f);
   for (int layer = 0; layer < layers_; ++layer) {
-    for (const glm::vec2& block : read_blocks(layer, std::max(1, resolution_ / kBlocks)))
+    for (const glm::vec2& block : read_blocks(layer, std::max(2, resolution_ / kBlocks)))
       range = {std::min(range.x, block.x), std::max(range.y, block.y)};
   }
   used_range_ = range.x <= range.y ? range : glm::vec2(0.0f, 1.0f);

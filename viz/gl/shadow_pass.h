@@ -38,7 +38,8 @@ class ShadowPass {
  private:
   void allocate(int resolution, int layers);
   void draw_layer(const SceneBuffers& scene, const glm::mat4& map_from_local);
-  /// The least non-empty and the largest non-empty depth of each block of block x block texels of a layer.
+  /// The least and the largest depth that is not empty, of each block of block x block texels of a layer; of one texel, its
+  /// depth.
   std::vector<glm::vec2> read_blocks(int layer, int block);
 
   Program program_, reduce_;
