@@ -13,7 +13,7 @@ namespace {
 std::string last_part(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
 std::string with_unit(const Field& field, double value) {
-  const std::string number = short_number(value);
+  const std::string number = shown_number(value);
   if (field.unit == "deg") return number + "°";
   if (field.unit == "texels" || field.unit == "px") return number + " " + field.unit;
   return number;
@@ -211,8 +211,8 @@ void field_row(UiContext& ui, const Field& field, Experiment& experiment) {
   ImGui::BeginGroup();
   std::visit(RowWidgets{ui, field, experiment, scene_size(ui.model.scene()), std::max(16.0f, width)}, field.member);
   ImGui::EndGroup();
-  rest_tooltip(field.help + "\n" + value_text(field, experiment) + (field.unit.empty() ? "" : " " + field.unit) + "; allowed: " +
-               allowed_values(field));
+  rest_tooltip(field.help + "\n" + value_text(field, experiment) + (field.unit.empty() ? "" : " " + field.unit) +
+               "; allowed: " + allowed_values(field));
   ImGui::SameLine();
   reset_button(ui, field, experiment);
   ImGui::PopID();

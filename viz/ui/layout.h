@@ -28,7 +28,8 @@ struct Layout {
 };
 
 /// `badge_height` and `splitter` (the dividers' thickness) in pixels.
-Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, std::optional<ViewId> maximised, int badge_height, int splitter);
+Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, std::optional<ViewId> maximised, int badge_height,
+               int splitter);
 
 /// The settings after a divider was dragged to this pixel.
 enum class Splitter { pane, column, row };

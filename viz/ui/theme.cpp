@@ -10,8 +10,8 @@ namespace psm {
 namespace {
 
 // Latin, Greek, punctuation, sub- and superscripts, arrows and mathematics, shapes: all are in DejaVu Sans.
-const ImWchar glyph_ranges[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x205F, 0x2070, 0x209F,
-                                0x2190, 0x22FF, 0x25A0, 0x25FF, 0};
+const ImWchar glyph_ranges[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x205F, 0x2070,
+                                0x209F, 0x2190, 0x22FF, 0x25A0, 0x25FF, 0};
 
 glm::vec3 hex(unsigned rgb) { return glm::vec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0f; }
 ImVec4 vec4(const glm::vec3& c, float alpha = 1.0f) { return {c.r, c.g, c.b, alpha}; }
