@@ -37,7 +37,8 @@ struct VariantMap {
 
 /// Divided PSM (PSM 2002, section 3.1): the light as the point L.xyz / L.w of the cube's space, depth growing away from that
 /// point; where L.w < 0 the light is inverted, so that depth falls along the true rays. `plane` is the one-rule plane (the two
-/// agree), `depths` the points whose depth the map must hold; those behind the eye are lost.
+/// agree), `depths` the points whose depth the map must hold; those behind the eye, and those
+/// nearer to the light than the fit's near distance, are lost.
 template <class T>
 VariantMap<T> divided_map(const LightFrame<T>& frame, const Vec4<T>& plane, const Mat4<T>& clip_from_world,
                           std::span<const Vec3<T>> receivers, std::span<const Vec3<T>> depths) {
@@ -53,7 +54,7 @@ VariantMap<T> divided_map(const LightFrame<T>& frame, const Vec4<T>& plane, cons
   }
   std::vector<Vec3<T>> in_front;
   for (const Vec3<T>& x : depths)
-    if (glm::dot(w, Vec4<T>(x, 1)) > T(0) && glm::dot(c, Vec4<T>(x, 1)) > T(0)) in_front.push_back(x);
+    if (glm::dot(w, Vec4<T>(x, 1)) > T(0) && glm::dot(c, Vec4<T>(x, 1)) > one_rule.near_c) in_front.push_back(x);
   Range<T> depth = ratio_range<T>(-w, c, receivers);
   for (const Vec3<T>& x : in_front) depth.add(-glm::dot(w, Vec4<T>(x, 1)) / glm::dot(c, Vec4<T>(x, 1)));
   if (!(depth.size() > T(0))) depth = {depth.min - T(1), depth.max + T(1)};
