@@ -187,14 +187,12 @@ bool place_skinned(Reading& r, const NodeGraph& graph, int skin) {
 std::vector<std::uint32_t> indices_of(Reading& r) {
   std::vector<std::uint32_t> indices;
   if (r.primitive.indices < 0) {
-    r.source.budget.add_indices(r.vertex_count, r.place);
     indices.resize(r.vertex_count);
     for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = std::uint32_t(i);
     return indices;
   }
   const std::string place = r.place + ".indices";
   require_format(r.source, r.primitive.indices, place, {"SCALAR UNSIGNED_BYTE", "SCALAR UNSIGNED_SHORT", "SCALAR UNSIGNED_INT"});
-  r.source.budget.add_indices(accessor_count(r.source, r.primitive.indices), place);
   indices = read_indices(r.source, r.primitive.indices);
   for (std::size_t i = 0; i < indices.size(); ++i)
     if (indices[i] >= r.vertex_count)
@@ -239,8 +237,6 @@ void read_primitive(Reading& r, const NodeGraph& graph, int node_index, const st
   const auto position = r.attribute("POSITION");
   if (!position) return r.source.notes.add("gltf_position", r.place + " has no POSITION and is left out.");
   r.vertex_count = accessor_count(r.source, *position);
-  r.source.budget.add_mesh(r.place);
-  r.source.budget.add_vertices(r.vertex_count, r.place);
 
   const auto& node = r.source.model.nodes[std::size_t(node_index)];
   Mesh mesh;
@@ -255,7 +251,6 @@ void read_primitive(Reading& r, const NodeGraph& graph, int node_index, const st
 
   const auto indices = indices_of(r);
   note_leftovers(r, indices.size());
-  r.source.budget.add_indices(3 * indices.size(), r.place);
   add_topology(r.primitive.mode, indices, mesh);
   if (r.flipped) turn_round(mesh.triangles);
   mesh.positions = std::move(r.positions);
@@ -323,6 +318,23 @@ void make_flat_normals(Mesh& mesh) {
   mesh.normals.reserve(mesh.positions.size());
   for (std::size_t i = 0; i + 2 < mesh.positions.size(); i += 3)
     mesh.normals.insert(mesh.normals.end(), 3, face_normal(mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]));
+}
+
+void charge_meshes(Source& source, const NodeGraph& graph) {
+  for (const int node : graph.order) {
+    const int mesh = source.model.nodes[std::size_t(node)].mesh;
+    if (mesh < 0) continue;
+    const auto& primitives = source.model.meshes[std::size_t(mesh)].primitives;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      const std::string place = at(at("meshes", std::size_t(mesh)) + ".primitives", i);
+      const auto position = primitives[i].attributes.find("POSITION");
+      const std::size_t vertices = position == primitives[i].attributes.end() ? 0 : accessor_count(source, position->second);
+      source.budget.add_mesh(place);
+      source.budget.add_vertices(vertices, place);
+      const std::size_t indices = primitives[i].indices < 0 ? vertices : accessor_count(source, primitives[i].indices);
+      source.budget.add_indices(3 * std::uint64_t(indices), place);  // what a strip may become
+    }
+  }
 }
 
 void read_node_meshes(Source& source, const NodeGraph& graph, int node, const std::vector<TexcoordSource>& texcoords,

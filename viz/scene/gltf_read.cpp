@@ -2,6 +2,7 @@
 // read_gltf: the parts in their order, and the one place where what they refuse becomes an InputError.
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <limits>
 #include <new>
 
@@ -48,6 +49,7 @@ void parse_model(const std::string& json, tinygltf::Model& model) {
 void build_scene(Source& source, Scene& scene) {
   check_accessors(source);
   const NodeGraph graph = walk_nodes(source.model);
+  charge_meshes(source, graph);
   const auto texcoords = read_materials(source, scene);
   for (const int node : graph.order) read_node_meshes(source, graph, node, texcoords, scene);
   if (scene.meshes.empty()) throw Problem{"has nothing to show: no mesh hangs in the nodes of its scene"};

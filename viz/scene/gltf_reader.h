@@ -172,6 +172,9 @@ std::vector<TexcoordSource> read_materials(Source& source, Scene& scene);
 
 // ---- gltf_mesh.cpp ---------------------------------------------------------------------------------------------------
 
+/// A Problem if all meshes with all their instances are beyond the budget: found out before any of them is read.
+void charge_meshes(Source& source, const NodeGraph& graph);
+
 /// The meshes of one node, in world space.
 void read_node_meshes(Source& source, const NodeGraph& graph, int node, const std::vector<TexcoordSource>& texcoords,
                       Scene& scene);

@@ -95,18 +95,19 @@ class Writer {
   const Scene& scene_;
   Binary binary_;
   json root_ = {{"asset", {{"version", "2.0"}, {"generator", "psmlab"}}}};
-  json nodes_ = json::array(), meshes_ = json::array();
+  json nodes_ = json::array(), meshes_ = json::array(), materials_ = json::array();
+  json textures_ = json::array(), images_ = json::array(), samplers_ = json::array();
   std::vector<int> texture_index_;  // of each Scene texture, -1: it has no pixels
 
   void write_textures() {
     for (const Texture& texture : scene_.textures) {
       const bool usable = texture.width > 0 && texture.height > 0 &&
                           texture.rgba.size() == std::size_t(texture.width) * std::size_t(texture.height) * 4;
-      texture_index_.push_back(usable ? int(root_["textures"].size()) : -1);
+      texture_index_.push_back(usable ? int(textures_.size()) : -1);
       if (!usable) continue;
-      root_["textures"].push_back({{"source", root_["images"].size()}, {"sampler", root_["samplers"].size()}});
-      root_["images"].push_back({{"bufferView", binary_.add_view(encode_png(texture), kNoTarget)}, {"mimeType", "image/png"}});
-      root_["samplers"].push_back(sampler(texture));
+      textures_.push_back({{"source", images_.size()}, {"sampler", samplers_.size()}});
+      images_.push_back({{"bufferView", binary_.add_view(encode_png(texture), kNoTarget)}, {"mimeType", "image/png"}});
+      samplers_.push_back(sampler(texture));
     }
   }
 
@@ -131,7 +132,7 @@ class Writer {
       json out = {{"pbrMetallicRoughness", std::move(pbr)}};
       if (material.alpha_cutoff > 0.0f) out["alphaMode"] = "MASK", out["alphaCutoff"] = material.alpha_cutoff;
       if (material.double_sided) out["doubleSided"] = true;
-      root_["materials"].push_back(std::move(out));
+      materials_.push_back(std::move(out));
     }
   }
 
@@ -224,20 +225,27 @@ class Writer {
     return candela > 0.0 ? candela : lux;
   }
 
+  /// Empty arrays are not valid glTF.
+  void take(const char* key, json& array) {
+    if (!array.empty()) root_[key] = std::move(array);
+  }
+
   std::string packed() {
     json nodes = json::array();
     for (std::size_t i = 0; i < nodes_.size(); ++i) nodes.push_back(i);
     if (!nodes.empty()) {
       root_["scene"] = 0;
       root_["scenes"] = json::array({{{"nodes", std::move(nodes)}}});
-      root_["nodes"] = std::move(nodes_);
     }
-    if (!meshes_.empty()) root_["meshes"] = std::move(meshes_);
-    if (!binary_.bytes.empty()) {
-      root_["accessors"] = std::move(binary_.accessors);
-      root_["bufferViews"] = std::move(binary_.views);
-      root_["buffers"] = json::array({{{"byteLength", binary_.bytes.size()}}});
-    }
+    if (!binary_.bytes.empty()) root_["buffers"] = json::array({{{"byteLength", binary_.bytes.size()}}});
+    take("nodes", nodes_);
+    take("meshes", meshes_);
+    take("materials", materials_);
+    take("textures", textures_);
+    take("images", images_);
+    take("samplers", samplers_);
+    take("accessors", binary_.accessors);
+    take("bufferViews", binary_.views);
     return with_header(root_.dump(-1, ' ', false, json::error_handler_t::replace));
   }
 
