@@ -184,7 +184,7 @@ void App::wait() {
 }
 
 void App::run() {
-  while (!glfwWindowShouldClose(window_)) {
+  while (!glfwWindowShouldClose(window_) && !workbench_.wants_quit()) {
     wait();
     const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
     if (!minimised && (workbench_.needs_redraw() || !input_.empty())) draw();

@@ -19,6 +19,29 @@ constexpr std::array offered = {Technique::uniform, Technique::psm,   Technique:
                                 Technique::custom};
 constexpr int technique_rows = int(offered.size() + 1) / 2;
 
+const char* explanation(Technique technique) {
+  switch (technique) {
+    case Technique::uniform:
+      return "uniform: the vanishing plane at infinity; every texel covers the same part of the map's window.";
+    case Technique::psm:
+      return "psm: the map of the post-perspective cube, seen from the light (Stamminger & Drettakis 2002).";
+    case Technique::lispsm:
+      return "lispsm: light space perspective, λ as GMNPR 2007 prints it (Eq. 9).";
+    case Technique::lispsm_reference:
+      return "lispsm_reference: light space perspective as its authors' code computes it.";
+    case Technique::glpr:
+      return "glpr: generalised linear perspective; it exists only where θ > φ.";
+    case Technique::gmnpr:
+      return "gmnpr: generalised minimum norm, with its own λ below φ (GMNPR 2007, Eq. 4 and 7).";
+    case Technique::minimax:
+      return "minimax: the least maximum of F on the frustum's central line.";
+    case Technique::minimax_frustum:
+      return "minimax_frustum: the least maximum of E over the whole frustum.";
+    default:
+      return "custom: the vanishing plane that shadow.plane gives.";
+  }
+}
+
 std::string scene_title(const std::string& source) {
   return source.find('/') == std::string::npos ? source : std::filesystem::path(source).filename().string();
 }
@@ -43,13 +66,14 @@ void scene_selector(UiContext& ui, Requests& requests) {
 }
 
 void technique_selector(UiContext& ui, Experiment& experiment) {
-  const float right = std::floor(0.40f * ImGui::GetContentRegionAvail().x) + ImGui::GetCursorPosX();
+  const float right = std::floor(0.41f * ImGui::GetContentRegionAvail().x) + ImGui::GetCursorPosX();
   for (int i = 0; i < int(offered.size()); ++i) {
     if (i % 2 == 1) ImGui::SameLine(right);
     const Technique technique = offered[std::size_t(i)];
     if (ImGui::RadioButton(display_name(technique), experiment.shadow.technique == technique))
       experiment.shadow.technique = technique;
     note_place(ui, std::string("shadow.technique=") + name_of(technique));
+    rest_tooltip(explanation(technique));
   }
 }
 
@@ -104,7 +128,7 @@ const char* display_name(Technique technique) {
     case Technique::minimax:
       return "Minimax";
     case Technique::minimax_frustum:
-      return "Minimax frustum";
+      return "Minimax full";
     case Technique::plane_optimal:
       return "Plane-optimal";
     case Technique::best_plane:

@@ -31,7 +31,8 @@ enum class Action {
   smaller,
   technique_next,
   technique_previous,
-  copy_state
+  copy_state,
+  quit
 };
 
 struct KeyBinding {

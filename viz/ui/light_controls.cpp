@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/field_widgets.h"
 #include "ui/light_angles.h"
 
 namespace psm {
@@ -14,19 +13,18 @@ namespace {
 
 constexpr double half_pi = 1.57079632679489661923;
 
-/// The label above the slider, at the left; marks' labels stand in the same strip.
 float full_width() { return ImGui::GetContentRegionAvail().x; }
 
-void caption(const char* text) {
+void caption(const char* text, const std::vector<Tick>& ticks) {
   ImGui::TextUnformatted(text);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + std::floor(0.35f * ImGui::GetFontSize()));
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + std::floor(0.7f * tick_label_height(ticks)));
 }
 
 void theta_slider(UiContext& ui, LightControls& state, Experiment& e) {
-  caption("θ, between light and view");
   double degrees = glm::degrees(light_theta(e));
   const double before = degrees;
   const auto ticks = theta_ticks(e);
+  caption("θ, between light and view", ticks);
   ImGui::SetNextItemWidth(full_width());
   if (ticked_slider("##theta", degrees, {0.0, 180.0, false, false}, ticks, shown_number(degrees) + "°", ui.theme)) {
     if (!state.theta_side) state.theta_side = theta_side(e);
@@ -42,11 +40,16 @@ void theta_slider(UiContext& ui, LightControls& state, Experiment& e) {
       "no snapping.");
 }
 
+/// What one looks at sets the scale; a light beyond it is still on the slider.
+double depth_slider_reach(const Experiment& e) {
+  return std::max(2.0 * glm::length(e.camera.target - e.camera.position), 1.25 * std::abs(light_depth(e)));
+}
+
 void depth_slider(UiContext& ui, LightControls& state, Experiment& e) {
-  caption("w, depth before the camera plane");
   double depth = light_depth(e);
-  const double reach = state.depth_reach.value_or(std::max(scene_size(ui.model.scene()), 1.05 * std::abs(depth)));
+  const double reach = state.depth_reach.value_or(depth_slider_reach(e));
   const std::vector<Tick> ticks = {{0.0, "w = 0", Role::infinity}};
+  caption("w, depth of the light", ticks);
   ImGui::SetNextItemWidth(full_width());
   if (ticked_slider("##depth", depth, {-reach, reach, false, false}, ticks, shown_number(depth, 3), ui.theme))
     if (std::isfinite(depth)) e.light.position = position_at_depth(e, std::clamp(depth, -1e6 * reach, 1e6 * reach));

@@ -91,7 +91,7 @@ void draw_slider(ImGuiID id, const Track& track, const SliderRange& range, doubl
   const ImGuiStyle& style = g.Style;
   ImGui::RenderNavHighlight(track.frame, id);
   ImGui::RenderFrame(track.frame.Min, track.frame.Max,
-                     ImGui::GetColorU32(active || hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), false,
+                     ImGui::GetColorU32(active || hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), true,
                      style.FrameRounding);
   const float x = float(track.x(slider_place(range, value))), half = 0.5f * track.grab;
   const ImRect grab({x - half, track.frame.Min.y + 2.0f}, {x + half, track.frame.Max.y - 2.0f});

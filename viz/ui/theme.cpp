@@ -78,7 +78,7 @@ void set_spacing(ImGuiStyle& style) {
   style.GrabMinSize = style.ScrollbarSize = 16;
   style.WindowBorderSize = style.PopupBorderSize = 1;
   style.ChildBorderSize = 0;
-  style.FrameBorderSize = 0;
+  style.FrameBorderSize = 1;  // fields and buttons stand out from the pane by 3:1
 }
 
 }  // namespace
@@ -87,6 +87,7 @@ void apply_look(const LookKey& look, const std::filesystem::path& font) {
   ImGuiStyle style;  // fresh: ScaleAllSizes accumulates
   set_spacing(style);
   style.ScaleAllSizes(float(look.scale));
+  style.FrameBorderSize = style.PopupBorderSize = float(std::max(1.0, std::floor(look.scale)));
   const Tones t = tones(look.theme);
   set_surfaces(style.Colors, t);
   set_controls(style.Colors, t);

@@ -137,6 +137,7 @@ void Workbench::tiles(Frame& f) {
 void Workbench::pane_fields(Frame& f) {
   if (f.layout.pane.empty()) return;
   begin_child("fields", fields_rect(f.layout.pane));
+  places_["pane.fields"] = fields_rect(f.layout.pane);
   control_fields(f.ui, light_, f.edited);
   ImGui::EndChild();
 }

@@ -52,6 +52,8 @@ class Workbench {
   void open(const std::string& source);
   void act(Action action);
 
+  bool wants_quit() const { return wants_quit_; }
+
   /// The window's picture is wanted for a PNG: whoever composed the frame hands it over.
   bool wants_screen() const { return wants_screen_; }
   void take_screen(const Image& image);
@@ -107,7 +109,7 @@ class Workbench {
   double next_wake_ = std::numeric_limits<double>::infinity();
   double views_ms_ = 0.0;
   std::uint64_t frames_ = 0, views_drawn_ = 0;
-  bool wants_screen_ = false;
+  bool wants_screen_ = false, wants_quit_ = false;
 };
 
 }  // namespace psm

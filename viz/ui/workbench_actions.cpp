@@ -85,6 +85,9 @@ void Workbench::act(Action action) {
       return change_technique(-1);
     case Action::save_picture:
       return ask_for_picture();
+    case Action::quit:
+      wants_quit_ = true;
+      return;
     case Action::copy_state:
       ImGui::SetClipboardText(experiment_to_json(model_.experiment()).c_str());
       message_ = "experiment copied as text";
