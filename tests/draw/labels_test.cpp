@@ -52,6 +52,15 @@ TEST(Labels, NeverOverlapAndAreNeverCut) {
   EXPECT_GT(placed_in_all, 1500u);
 }
 
+TEST(Labels, LeaveFreeWhatIsOccupied) {
+  std::mt19937 random(9);
+  for (int i = 0; i < 100; ++i) {
+    const Occupied title{{4, 4}, {200, 60}};
+    const auto placed = place_labels(random_list(random), glm::dmat4(1.0), {640, 400}, 1.0, text_size, nullptr, {title});
+    for (const PlacedLabel& l : placed) EXPECT_TRUE(l.top_left.x >= 208 - 1e-9 || l.top_left.y >= 68 - 1e-9);
+  }
+}
+
 TEST(Labels, SameListSamePlaces) {
   std::mt19937 random(8);
   const DrawList list = random_list(random);

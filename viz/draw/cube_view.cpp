@@ -2,6 +2,7 @@
 // The unit cube: everything after the eye's projection P V, where the light may be a point, an inverted point or a direction, and
 // where what crosses the camera plane is torn through infinity.
 #include <cmath>
+#include <optional>
 
 #include "draw/sketch.h"
 #include "math/projective.h"
@@ -9,12 +10,13 @@
 namespace psm {
 namespace {
 
-constexpr double limit = 3.0;         // cubes
-constexpr double clear_limit = 1.75;  // beyond this it fades
-constexpr double patch_half = 1.35;   // of the infinity plane
-constexpr int light_rays = 5;
+constexpr double limit = 3.0;        // cubes
+constexpr double clear_limit = 2.5;  // beyond this it fades
+constexpr double body_limit = 1.75;  // the same for bodies, whose fills end there
+constexpr double patch_half = 1.35;  // of the infinity plane
+constexpr int light_rays = 4;
 
-Limits cube_limits() { return {{glm::dvec3(-clear_limit), glm::dvec3(clear_limit)}, {glm::dvec3(-limit), glm::dvec3(limit)}}; }
+Limits cube_limits(double clear) { return {{glm::dvec3(-clear), glm::dvec3(clear)}, {glm::dvec3(-limit), glm::dvec3(limit)}}; }
 
 /// Depth of the plane to which P sends the plane at infinity: (f + n) / (f - n), and 1 for f = infinity.
 double infinity_depth(const CameraSettings& camera) {
@@ -26,7 +28,7 @@ class CubeView {
   CubeView(const Analysis& analysis, double aspect)
       : analysis_(analysis),
         view_(view_camera(ViewId::cube, analysis, aspect)),
-        sketch_(cube_limits()),
+        sketch_(cube_limits(clear_limit)),
         light_(analysis.clip_from_world() * analysis.light) {}
 
   ViewPicture picture() {
@@ -57,14 +59,16 @@ class CubeView {
   void bodies() {
     const glm::dmat4 cube_from_world = analysis_.clip_from_world();
     const ConvexBody &h = analysis_.caster_body, &r = analysis_.receivers_body;
+    Sketch bodies(cube_limits(body_limit));
     if (!h.empty()) {
-      sketch_.body(h, cube_from_world, 0.12, {Role::caster_body, 1.5});
+      bodies.body(h, cube_from_world, 0.09, {Role::caster_body, 1.5});
       body_label(h, {-0.8, 1.0}, "H'", Role::caster_body, 6);
     }
     if (!r.empty()) {
-      sketch_.body(r, cube_from_world, 0.18, {Role::receivers_body, 1.75});
+      bodies.body(r, cube_from_world, 0.15, {Role::receivers_body, 1.75});
       body_label(r, {0.5, -1.0}, "R'", Role::receivers_body, 7);
     }
+    sketch_.append(std::move(bodies.list));
   }
 
   void body_label(const ConvexBody& body, const glm::dvec2& direction, const char* text, Role role, int priority) {
@@ -72,7 +76,7 @@ class CubeView {
     for (const auto& [i, j] : body_edges(body)) {
       const glm::dvec4 p = analysis_.clip_from_world() * at(body.vertices[i]),
                        q = analysis_.clip_from_world() * at(body.vertices[j]);
-      for (const Piece& piece : split_segment(p, q, sketch_.limits().inner)) shown.insert(shown.end(), {piece.a, piece.b});
+      for (const Piece& piece : split_segment(p, q, cube_limits(body_limit).inner)) shown.insert(shown.end(), {piece.a, piece.b});
     }
     if (!shown.empty()) sketch_.label(view_.furthest(shown, direction), text, role, priority);
   }
@@ -100,12 +104,13 @@ class CubeView {
     for (double x : {-0.5, 0.5}) {
       for (double y : {-0.5, 0.5}) sketch_.line({x, y, -1.7}, {x, y, -1.08}, {Role::frustum, 1.5}, Head::arrow);
     }
-    sketch_.label({0.5, 0.5, -1.7}, "from the eye", Role::frustum, 4);
+    const std::vector<glm::dvec3> tails{{-0.5, -0.5, -1.7}, {0.5, -0.5, -1.7}, {0.5, 0.5, -1.7}, {-0.5, 0.5, -1.7}};
+    sketch_.label(view_.furthest(tails, {-1.0, -0.5}), "from the eye", Role::frustum, 1);
   }
 
   void infinity_plane() {
     const double z = infinity_depth(analysis_.experiment.camera);
-    if (!(z < clear_limit)) return;
+    if (!(z < body_limit)) return;
     const std::vector<glm::dvec3> corners{
         {-patch_half, -patch_half, z}, {patch_half, -patch_half, z}, {patch_half, patch_half, z}, {-patch_half, patch_half, z}};
     std::vector<glm::dvec4> polygon;
@@ -123,13 +128,30 @@ class CubeView {
     bool named = false;
     for (const glm::dvec3& target : ray_targets(lit_body(), analysis_.light, light_rays)) {
       const glm::dvec4 end = analysis_.clip_from_world() * at(target);
-      for (const glm::dvec3& exit : sketch_.line_through(light_, end, {Role::light, 1.75}, Head::arrow)) {
-        if (!named && view_.sees(exit, 0.95)) {
-          sketch_.label(exit, "∞", Role::infinity, 6);
+      for (const Piece& piece : split_segment(light_, end, sketch_.limits().outer)) {
+        const Pen pen{Role::light, 1.75};
+        if (!piece.cut_b) {
+          sketch_.piece(piece, pen, Head::arrow);
+        } else if (const auto exit = draw_exit(piece, pen); exit && !named) {
+          sketch_.label(*exit, "∞", Role::infinity, 6);
           named = true;
         }
       }
     }
+  }
+
+  /// A ray that leaves for infinity: the head stands where it leaves the clear part of the picture. None where that is out of
+  /// sight.
+  std::optional<glm::dvec3> draw_exit(const Piece& piece, const Pen& pen) {
+    const auto clear = clip_segment(at(piece.a), at(piece.b), sketch_.limits().inner);
+    const auto seen = clear ? view_.visible_part(clear->a, clear->b) : std::nullopt;
+    if (!seen) {
+      sketch_.piece(piece, pen);
+      return std::nullopt;
+    }
+    sketch_.piece({piece.a, seen->b}, pen, Head::arrow);
+    sketch_.piece({seen->b, piece.b}, pen);
+    return seen->b;
   }
 
   void light() {

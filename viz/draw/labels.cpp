@@ -92,10 +92,12 @@ class Placer {
   Placer(const DrawList& list, const glm::dmat4& clip_from_list, const glm::dvec2& picture, double scale)
       : picture_{glm::dvec2(0.0), picture}, scale_(scale), lines_(project_lines(list, clip_from_list, picture)) {}
 
+  void keep_free(const Rect& taken) { taken_.push_back(taken); }
+
   void add(const DrawLabel& label, const glm::dvec2& anchor, const glm::dvec2& size) {
     anchors_.push_back(anchor);
     Pending pending{&label, anchor, size, candidates(anchor, size, scale_)};
-    std::erase_if(pending.free, [&](const Candidate& c) { return !c.text.grown(margin()).inside(picture_); });
+    std::erase_if(pending.free, [&](const Candidate& c) { return !may_stand(c.text.grown(margin())); });
     pending_.push_back(std::move(pending));
   }
 
@@ -117,12 +119,16 @@ class Placer {
  private:
   double margin() const { return label_margin * scale_; }
 
+  bool may_stand(const Rect& plate) const {
+    return plate.inside(picture_) && std::none_of(taken_.begin(), taken_.end(), [&](const Rect& t) { return t.overlaps(plate); });
+  }
+
   /// Leader length, lines covered and crossed, anchors covered. In units of the nearest ring's leader.
   double cost(const Pending& pending, const Candidate& candidate) const {
     const Rect plate = candidate.text.grown(margin());
     const Segment2 leader{pending.anchor, plate.nearest(pending.anchor)};
     double sum = candidate.distance / rings[0];
-    for (const Segment2& line : lines_) sum += 0.7 * crosses(line, plate) + 0.15 * crosses(line, leader);
+    for (const Segment2& line : lines_) sum += 0.9 * crosses(line, plate) + 0.15 * crosses(line, leader);
     for (const Segment2& other : leaders_) sum += 6.0 * crosses(other, leader) + 6.0 * crosses(other, plate);
     for (const glm::dvec2& other : anchors_) sum += 2.0 * (other != pending.anchor && plate.contains(other));
     for (const Rect& other : plates_) sum += 6.0 * crosses(leader, other);
@@ -145,7 +151,7 @@ class Placer {
   Rect picture_;
   double scale_;
   std::vector<Segment2> lines_, leaders_;
-  std::vector<Rect> plates_;
+  std::vector<Rect> taken_, plates_;
   std::vector<glm::dvec2> anchors_;
   std::vector<Pending> pending_;
   std::vector<PlacedLabel> placed_;
@@ -155,8 +161,9 @@ class Placer {
 
 std::vector<PlacedLabel> place_labels(const DrawList& list, const glm::dmat4& clip_from_list, glm::dvec2 picture_size,
                                       double scale, glm::dvec2 (*text_size)(const std::string&, double scale, void*),
-                                      void* context) {
+                                      void* context, const std::vector<Occupied>& occupied) {
   Placer placer(list, clip_from_list, picture_size, scale);
+  for (const Occupied& o : occupied) placer.keep_free({o.top_left, o.top_left + o.size});
   for (const DrawLabel& label : list.labels) {
     if (label.text.empty()) continue;
     const auto anchor = project_anchor(clip_from_list * label.anchor, picture_size);

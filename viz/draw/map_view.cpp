@@ -31,10 +31,10 @@ std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> points) {
   return hull;
 }
 
-/// Pan and zoom of a drawing of this shape, fitted into the picture.
-glm::dmat4 clip_from_plane(const ViewSettings& view, double drawing_aspect, double picture_aspect) {
-  const double ratio = drawing_aspect / picture_aspect;
-  const glm::dvec3 scale(view.map_zoom * fit * glm::dvec2(std::min(1.0, ratio), std::min(1.0, 1.0 / ratio)), 1.0);
+/// Pan and zoom of a drawing of this half size, fitted into the picture; squares stay square.
+glm::dmat4 clip_from_plane(const ViewSettings& view, const glm::dvec2& half, double picture_aspect) {
+  const double fitted = fit * view.map_zoom * std::min(picture_aspect / half.x, 1.0 / half.y);
+  const glm::dvec3 scale(fitted / picture_aspect, fitted, 1.0);
   return glm::translate(glm::scale(glm::dmat4(1.0), scale), glm::dvec3(-view.map_center, 0.0));
 }
 
@@ -72,8 +72,7 @@ class MapView {
     }
     const std::string n = std::to_string(analysis_.experiment.shadow.resolution);
     sketch_.label({-1.0, -1.0, 0.0}, "0", Role::texel_grid, 3);
-    sketch_.label({1.0, -1.0, 0.0}, n, Role::texel_grid, 3);
-    sketch_.label({-1.0, 1.0, 0.0}, n, Role::texel_grid, 2);
+    sketch_.label({1.0, -1.0, 0.0}, n + " texels", Role::texel_grid, 3);
   }
 
   void receivers() {
@@ -132,16 +131,18 @@ class MapView {
   Sketch sketch_;
 };
 
-/// The contact sheet of six maps: +x -x +y above -y +z -z, each a third of the width.
+/// The contact sheet of six maps: +x -x +y above -y +z -z, squares with sides of 2/3.
 DrawList six_maps() {
   static constexpr const char* names[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
   const Box everywhere{glm::dvec3(-1.0), glm::dvec3(1.0)};
   Sketch sketch({everywhere, everywhere});
   const Pen pen{Role::map_window, 2.5};
-  for (int i = 0; i <= 3; ++i) sketch.line({i / 1.5 - 1.0, -1.0, 0.0}, {i / 1.5 - 1.0, 1.0, 0.0}, pen);
-  for (double y : {-1.0, 0.0, 1.0}) sketch.line({-1.0, y, 0.0}, {1.0, y, 0.0}, pen);
+  constexpr double side = 2.0 / 3.0;
+  for (int i = 0; i <= 3; ++i) sketch.line({i * side - 1.0, -side, 0.0}, {i * side - 1.0, side, 0.0}, pen);
+  for (double y : {-side, 0.0, side}) sketch.line({-1.0, y, 0.0}, {1.0, y, 0.0}, pen);
   for (int face = 0; face < 6; ++face) {
-    sketch.label({(face % 3) / 1.5 - 1.0, face < 3 ? 1.0 : 0.0, 0.0}, names[face], Role::map_window, 5);
+    // Well inside its square, so that the label cannot stand in a neighbour.
+    sketch.label({(face % 3 + 0.5) * side - 1.0, (face < 3 ? 0.0 : -side) + 0.3 * side, 0.0}, names[face], Role::map_window, 5);
   }
   return std::move(sketch.list);
 }
@@ -156,11 +157,11 @@ ViewPicture describe_map(const Analysis& analysis, glm::ivec2 size) {
   picture.scene = ScenePicture::map_depth;
   if (analysis.cube_maps_from_world) {
     picture.title = "Six maps of 90°, " + n + " x " + n + " each";
-    picture.clip_from_list = clip_from_plane(view, 1.5, aspect_of(size));
+    picture.clip_from_list = clip_from_plane(view, {1.0, 2.0 / 3.0}, aspect_of(size));
     picture.list = six_maps();
   } else {
     picture.title = "Shadow map " + n + " x " + n;
-    picture.clip_from_list = clip_from_plane(view, 1.0, aspect_of(size));
+    picture.clip_from_list = clip_from_plane(view, {1.0, 1.0}, aspect_of(size));
     if (analysis.map_from_world) picture.list = MapView(analysis, picture.clip_from_list).draw();
   }
   return picture;

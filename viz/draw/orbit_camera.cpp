@@ -11,7 +11,7 @@ namespace psm {
 namespace {
 
 constexpr double vertical_fov = glm::radians(40.0);
-constexpr double fit_margin = 0.88;   // of the picture's half width and height
+constexpr double fit_margin = 0.93;   // of the picture's half width and height
 constexpr double cube_extent = 1.45;  // room for the axes, the infinity plane and the rays' ends
 
 /// Columns: right, up, back. From the angles themselves, so that looking straight down is not special.

@@ -2,6 +2,7 @@
 #include "draw/sketch.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -27,37 +28,33 @@ void Sketch::faded_line(const glm::dvec3& a, const glm::dvec3& b, const Pen& pen
   list.lines.back().fade_b *= limits_.fade(b);
 }
 
-void Sketch::piece(const Piece& p, const Pen& pen, Head head, std::vector<glm::dvec3>* exits) {
+void Sketch::piece(const Piece& p, const Pen& pen, Head head) {
   const auto inside = clip_segment(at(p.a), at(p.b), limits_.inner);
   if (!inside) {
     // Along a segment outside, the fade has its maximum somewhere between: two halves follow it well enough.
     const glm::dvec3 middle = 0.5 * (p.a + p.b);
     faded_line(p.a, middle, pen, Head::none);
-    faded_line(middle, p.b, pen, p.cut_b ? Head::none : head);
+    faded_line(middle, p.b, pen, head);
     return;
   }
-  const bool tail_ends_there = inside->cut_b && !p.cut_b;
   if (inside->cut_a) faded_line(p.a, inside->a, pen, Head::none);
-  line(inside->a, inside->b, pen, tail_ends_there ? Head::none : head);
-  if (inside->cut_b) faded_line(inside->b, p.b, pen, tail_ends_there ? head : Head::none);
-  if (p.cut_b && exits) exits->push_back(inside->b);
+  line(inside->a, inside->b, pen, inside->cut_b ? Head::none : head);
+  if (inside->cut_b) faded_line(inside->b, p.b, pen, head);
 }
 
-std::vector<glm::dvec3> Sketch::line_through(const glm::dvec4& a, const glm::dvec4& b, const Pen& pen, Head head) {
-  std::vector<glm::dvec3> exits;
-  for (const Piece& p : split_segment(a, b, limits_.outer)) piece(p, pen, head, &exits);
-  return exits;
+void Sketch::line_through(const glm::dvec4& a, const glm::dvec4& b, const Pen& pen) {
+  for (const Piece& p : split_segment(a, b, limits_.outer)) piece(p, pen);
 }
 
 void Sketch::line_in_front(const glm::dvec4& a, const glm::dvec4& b, const Pen& pen) {
-  if (const auto p = clip_segment(a, b, limits_.outer)) piece(*p, pen, Head::none, nullptr);
+  if (const auto p = clip_segment(a, b, limits_.outer)) piece(*p, pen);
 }
 
 void Sketch::fill(const std::vector<glm::dvec4>& corners, Role role, double alpha, Sides sides) {
   for (int side : {1, -1}) {
     if (side < 0 && sides == Sides::front) break;
     DrawFill fill{{}, role, alpha};
-    for (const glm::dvec3& p : clip_polygon(corners, limits_.outer, side)) fill.corners.push_back(at(p));
+    for (const glm::dvec3& p : clip_polygon(corners, limits_.inner, side)) fill.corners.push_back(at(p));
     if (!fill.corners.empty()) list.fills.push_back(std::move(fill));
   }
 }
@@ -75,6 +72,13 @@ void Sketch::body(const ConvexBody& body, const glm::dmat4& map, double alpha, c
 
 void Sketch::label(const glm::dvec3& anchor, std::string text, Role role, int priority) {
   list.labels.push_back({at(anchor), std::move(text), role, priority});
+}
+
+void Sketch::append(DrawList other) {
+  std::move(other.lines.begin(), other.lines.end(), std::back_inserter(list.lines));
+  std::move(other.fills.begin(), other.fills.end(), std::back_inserter(list.fills));
+  std::move(other.points.begin(), other.points.end(), std::back_inserter(list.points));
+  std::move(other.labels.begin(), other.labels.end(), std::back_inserter(list.labels));
 }
 
 std::vector<std::array<int, 2>> body_edges(const ConvexBody& body) {

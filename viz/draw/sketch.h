@@ -45,9 +45,11 @@ class Sketch {
   /// A finite segment, as it is.
   void line(const glm::dvec3& a, const glm::dvec3& b, const Pen& pen, Head head = Head::none);
 
-  /// The segment of homogeneous points, torn where w = 0. Exits towards infinity get a head where they leave `inner`, if `head`
-  /// asks for one. Returns these exits.
-  std::vector<glm::dvec3> line_through(const glm::dvec4& a, const glm::dvec4& b, const Pen& pen, Head head = Head::none);
+  /// A finite segment, fading between the limits.
+  void piece(const Piece& p, const Pen& pen, Head head = Head::none);
+
+  /// The segment of homogeneous points, torn where w = 0.
+  void line_through(const glm::dvec4& a, const glm::dvec4& b, const Pen& pen);
 
   /// Its part with w > 0 only.
   void line_in_front(const glm::dvec4& a, const glm::dvec4& b, const Pen& pen);
@@ -61,8 +63,10 @@ class Sketch {
   void point(const glm::dvec3& p, Role role, double radius = 5.0) { list.points.push_back({at(p), role, radius}); }
   void label(const glm::dvec3& anchor, std::string text, Role role, int priority);
 
+  /// Another drawing of the same space, within limits of its own.
+  void append(DrawList other);
+
  private:
-  void piece(const Piece& p, const Pen& pen, Head head, std::vector<glm::dvec3>* exits);
   void faded_line(const glm::dvec3& a, const glm::dvec3& b, const Pen& pen, Head head);
 
   Limits limits_;
@@ -101,14 +105,15 @@ struct Viewpoint {
   /// The one of the visible points that lies furthest in this direction on the picture (x to the right, y up); the first if none
   /// is visible.
   glm::dvec3 furthest(const std::vector<glm::dvec3>& points, const glm::dvec2& direction) const;
-  /// The middle of the visible part of a segment; none if all of it is outside.
+  /// The visible part of a segment, a little inside the picture's border, and its middle; none if all of it is outside.
+  std::optional<Piece> visible_part(const glm::dvec3& a, const glm::dvec3& b) const;
   std::optional<glm::dvec3> visible_middle(const glm::dvec3& a, const glm::dvec3& b) const;
 };
 
 /// A disc with rays around it, facing the viewer.
 void draw_lamp(Sketch& sketch, const Viewpoint& view, const glm::dvec3& p, int rays);
 
-/// Up to `count` points of the body on which light falls last, well apart: where drawn rays end.
+/// Up to `count` points, well apart, where light rays leave the body: where drawn rays end. The first ray is the centroid's.
 std::vector<glm::dvec3> ray_targets(const ConvexBody& body, const glm::dvec4& light, int count);
 
 /// "%.*g", without a locale's comma.

@@ -12,18 +12,27 @@
 namespace psm {
 namespace {
 
-/// Distance behind the light along its rays, up to a constant: larger where light arrives later.
-double arrival(const glm::dvec3& p, const glm::dvec4& light) {
-  return light.w == 0.0 ? -glm::dot(p, glm::dvec3(light)) : glm::length(p - glm::dvec3(light) / light.w);
+/// The last point of the body on the light ray through `p`, a point of the body: where a receiver's floor or wall is.
+glm::dvec3 where_light_leaves(const ConvexBody& body, const glm::dvec4& light, const glm::dvec3& p) {
+  const glm::dvec3 travel = safe_normalize(light.w * p - glm::dvec3(light));
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Plane& plane : body.planes) {
+    const double closing = -glm::dot(glm::dvec3(plane), travel);
+    if (closing > 0.0) nearest = std::min(nearest, std::max(0.0, glm::dot(plane, at(p))) / closing);
+  }
+  return std::isfinite(nearest) ? p + nearest * travel : p;
 }
 
-/// The half of the vertices on which light falls last; rays that end there have crossed the body.
-std::vector<glm::dvec3> lit_last(const ConvexBody& body, const glm::dvec4& light) {
-  std::vector<glm::dvec3> points = body.vertices;
-  std::stable_sort(points.begin(), points.end(),
-                   [&](const glm::dvec3& p, const glm::dvec3& q) { return arrival(p, light) > arrival(q, light); });
-  points.resize((points.size() + 1) / 2);
-  return points;
+double distance_to(const std::vector<glm::dvec3>& points, const glm::dvec3& p) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const glm::dvec3& q : points) distance = std::min(distance, glm::length(p - q));
+  return distance;
+}
+
+const glm::dvec3& furthest_from(const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& candidates) {
+  return *std::max_element(candidates.begin(), candidates.end(), [&](const glm::dvec3& p, const glm::dvec3& q) {
+    return distance_to(points, p) < distance_to(points, q);
+  });
 }
 
 }  // namespace
@@ -60,16 +69,22 @@ glm::dvec3 Viewpoint::furthest(const std::vector<glm::dvec3>& points, const glm:
   return best;
 }
 
+std::optional<Piece> Viewpoint::visible_part(const glm::dvec3& a, const glm::dvec3& b) const {
+  const Box picture{{-0.92, -0.92, -1.0}, {0.92, 0.92, 1.0}};
+  const auto seen = clip_segment(clip_from_space * at(a), clip_from_space * at(b), picture);
+  if (!seen) return std::nullopt;
+  const glm::dmat4 space_from_clip = glm::inverse(clip_from_space);
+  const glm::dvec4 p = space_from_clip * at(seen->a), q = space_from_clip * at(seen->b);
+  return Piece{glm::dvec3(p) / p.w, glm::dvec3(q) / q.w, seen->cut_a, seen->cut_b};
+}
+
 std::optional<glm::dvec3> Viewpoint::visible_middle(const glm::dvec3& a, const glm::dvec3& b) const {
-  const Box picture{{-0.94, -0.94, -1.0}, {0.94, 0.94, 1.0}};
-  const auto visible = clip_segment(clip_from_space * at(a), clip_from_space * at(b), picture);
-  if (!visible) return std::nullopt;
-  const glm::dvec4 middle = glm::inverse(clip_from_space) * at(0.5 * (visible->a + visible->b));
-  return glm::dvec3(middle) / middle.w;
+  const auto part = visible_part(a, b);
+  return part ? std::optional(0.5 * (part->a + part->b)) : std::nullopt;
 }
 
 void draw_lamp(Sketch& sketch, const Viewpoint& view, const glm::dvec3& p, int rays) {
-  const double inner = view.length_of(0.020, p), outer = view.length_of(0.033, p);
+  const double inner = view.length_of(0.018, p), outer = view.length_of(0.028, p);
   for (int i = 0; i < rays; ++i) {
     const double angle = glm::radians(360.0) * (i + 0.5) / rays;
     const glm::dvec3 d = std::cos(angle) * view.right + std::sin(angle) * view.up;
@@ -80,20 +95,17 @@ void draw_lamp(Sketch& sketch, const Viewpoint& view, const glm::dvec3& p, int r
 
 std::vector<glm::dvec3> ray_targets(const ConvexBody& body, const glm::dvec4& light, int count) {
   if (body.empty()) return {};
-  const std::vector<glm::dvec3> points = lit_last(body, light);
-  std::vector<glm::dvec3> chosen{points.front()};
+  const glm::dvec3 centroid = body.centroid();
+  std::vector<glm::dvec3> candidates;
+  double size = 0.0;
+  for (const glm::dvec3& v : body.vertices) {
+    candidates.push_back(where_light_leaves(body, light, glm::mix(centroid, v, 0.8)));
+    size = std::max(size, glm::length(v - centroid));
+  }
+  std::vector<glm::dvec3> chosen{where_light_leaves(body, light, centroid)};
   while (int(chosen.size()) < count) {
-    glm::dvec3 best{0.0};
-    double best_distance = 0.0;
-    for (const glm::dvec3& p : points) {
-      double distance = std::numeric_limits<double>::infinity();
-      for (const glm::dvec3& c : chosen) distance = std::min(distance, glm::length(p - c));
-      if (distance > best_distance) {
-        best_distance = distance;
-        best = p;
-      }
-    }
-    if (!(best_distance > 0.0)) break;
+    const glm::dvec3 best = furthest_from(chosen, candidates);
+    if (!(distance_to(chosen, best) > 0.3 * size)) break;
     chosen.push_back(best);
   }
   return chosen;

@@ -10,7 +10,7 @@
 namespace psm {
 namespace {
 
-constexpr int light_rays = 5;
+constexpr int light_rays = 4;
 
 Box world_extent(const Analysis& analysis) {
   Box box;
@@ -18,11 +18,12 @@ Box world_extent(const Analysis& analysis) {
   return box;
 }
 
-/// Room around the extent in every direction, so that a flat scene does not cut what stands on it.
-Limits world_limits(const Box& extent, double radius) {
-  const glm::dvec3 half = glm::max(extent.half(), glm::dvec3(0.5 * radius));
+/// Room around the extent in every direction, at least `least` times its radius, so that a flat scene does not cut what stands on
+/// it.
+Limits world_limits(const Box& extent, double radius, double least, double clear, double most) {
+  const glm::dvec3 half = glm::max(extent.half(), glm::dvec3(least * radius));
   const Box roomy{extent.center() - half, extent.center() + half};
-  return {roomy.scaled(1.25), roomy.scaled(2.0)};
+  return {roomy.scaled(clear), roomy.scaled(most)};
 }
 
 class WorldView {
@@ -33,7 +34,7 @@ class WorldView {
         view_(camera_),
         extent_(world_extent(analysis)),
         radius_(glm::length(extent_.half()) > 0.0 ? glm::length(extent_.half()) : 0.25 * camera_.distance),
-        sketch_(world_limits(extent_, radius_)) {
+        sketch_(world_limits(extent_, radius_, 0.5, 1.2, 1.8)) {
     place_light();
   }
 
@@ -69,34 +70,40 @@ class WorldView {
   void receivers_body() {
     const ConvexBody& r = analysis_.receivers_body;
     if (r.empty()) return;
-    sketch_.body(r, glm::dmat4(1.0), 0.20, {Role::receivers_body, 1.75});
+    sketch_.body(r, glm::dmat4(1.0), 0.16, {Role::receivers_body, 1.75});
     sketch_.label(view_.furthest(r.vertices, {0.2, -1.0}), "R", Role::receivers_body, 8);
   }
 
   void caster_body() {
     const ConvexBody& h = analysis_.caster_body;
     if (h.empty()) return;
-    sketch_.body(h, glm::dmat4(1.0), 0.14, {Role::caster_body, 1.5});
+    sketch_.body(h, glm::dmat4(1.0), 0.10, {Role::caster_body, 1.5});
     sketch_.label(view_.furthest(h.vertices, {-0.6, 1.0}), "H", Role::caster_body, 7);
   }
 
-  /// What the map covers: the cube of map clip space, pulled back; the part in front of the vanishing plane.
+  /// What the map covers: the cube of map clip space, pulled back; its edges near the scene, and its part of S as a body.
   void map_window() {
     if (!analysis_.map_from_world) return;
-    const glm::dmat4 world_from_map = glm::inverse(*analysis_.map_from_world);
+    const glm::dmat4& map_from_world = *analysis_.map_from_world;
+    const glm::dmat4 world_from_map = glm::inverse(map_from_world);
     std::array<glm::dvec4, 8> corners;
     const auto cube = cube_corners();
     for (int i = 0; i < 8; ++i) corners[i] = world_from_map * at(cube[i]);
-    for (const auto& f : box_faces()) {
-      sketch_.fill({corners[f[0]], corners[f[1]], corners[f[2]], corners[f[3]]}, Role::map_window, 0.05, Sides::front);
+    Sketch edges(world_limits(extent_, radius_, 0.2, 1.02, 1.3));
+    for (const auto& [i, j] : box_edges()) edges.line_in_front(corners[i], corners[j], {Role::map_window, 1.75});
+    sketch_.append(std::move(edges.list));
+    if (!analysis_.scene_body.empty()) covered_part(map_from_world);
+  }
+
+  void covered_part(const glm::dmat4& map_from_world) {
+    std::vector<Plane> sides;
+    for (int i = 0; i < 3; ++i) {
+      for (double sign : {1.0, -1.0}) sides.push_back(row(map_from_world, 3) + sign * row(map_from_world, i));
     }
-    std::vector<glm::dvec3> ends;
-    for (const auto& [i, j] : box_edges()) {
-      sketch_.line_in_front(corners[i], corners[j], {Role::map_window, 1.75});
-      if (const auto shown = clip_segment(corners[i], corners[j], sketch_.limits().inner))
-        ends.insert(ends.end(), {shown->a, shown->b});
-    }
-    if (!ends.empty()) sketch_.label(view_.furthest(ends, {-1.0, 0.2}), "map window", Role::map_window, 6);
+    const ConvexBody covered = clip(analysis_.scene_body, sides);
+    if (covered.empty()) return;
+    sketch_.body(covered, glm::dmat4(1.0), 0.05, {Role::map_window, 1.0, LineStyle::solid, 0.45});
+    sketch_.label(view_.furthest(covered.vertices, {-1.0, 0.2}), "map window", Role::map_window, 6);
   }
 
   void frustum() {
@@ -147,14 +154,14 @@ class WorldView {
     const glm::dvec3 towards = glm::dvec3(analysis_.light) - analysis_.light.w * center;
     const glm::dvec3 in_plane = safe_normalize(towards - glm::dot(towards, n) * n);
     const glm::dvec3 v = in_plane == glm::dvec3(0.0) ? perpendicular(n) : in_plane, u = glm::cross(v, n);
-    plane_patch(center, 0.36 * radius_ * u, 0.36 * radius_ * v);
+    plane_patch(center, 0.3 * radius_ * u, 0.3 * radius_ * v);
   }
 
   void plane_patch(const glm::dvec3& center, const glm::dvec3& u, const glm::dvec3& v) {
     const std::vector<glm::dvec3> corners{center - u - v, center + u - v, center + u + v, center - u + v};
     std::vector<glm::dvec4> polygon;
     for (const glm::dvec3& p : corners) polygon.push_back(at(p));
-    sketch_.fill(polygon, Role::vanishing_plane, 0.18);
+    sketch_.list.fills.push_back({polygon, Role::vanishing_plane, 0.18});
     constexpr int cells = 6;
     for (int i = 0; i <= cells; ++i) {
       const double t = 2.0 * i / cells - 1.0;
@@ -169,22 +176,23 @@ class WorldView {
   /// A lamp stands where it is, unless that is too far away to be shown; then, like a sun, at the picture's edge.
   void place_light() {
     const glm::dvec4 l = analysis_.light;
-    const glm::dvec3 center = extent_.center();
     if (l.w != 0.0 && extent_.scaled(1.001).contains(glm::dvec3(l) / l.w)) {
       light_at_ = glm::dvec3(l) / l.w;
       return;
     }
     light_far_ = true;
-    const glm::dvec3 direction = safe_normalize(glm::dvec3(l) - l.w * center);
+    const auto targets = ray_targets(lit_body(), l, 1);
+    const glm::dvec3 lit = targets.empty() ? extent_.center() : targets.front();
+    const glm::dvec3 direction = safe_normalize(glm::dvec3(l) - l.w * lit);
     double inside = 0.25 * radius_, outside = 1.1 * radius_;
-    if (!view_.sees(center + outside * direction, 0.84)) {
+    if (!view_.sees(lit + outside * direction, 0.84)) {
       for (int i = 0; i < 40; ++i) {
         const double middle = 0.5 * (inside + outside);
-        (view_.sees(center + middle * direction, 0.84) ? inside : outside) = middle;
+        (view_.sees(lit + middle * direction, 0.84) ? inside : outside) = middle;
       }
       outside = inside;
     }
-    light_at_ = center + outside * direction;
+    light_at_ = lit + outside * direction;
   }
 
   void light() {
@@ -195,18 +203,20 @@ class WorldView {
       text += " (" + short_number(glm::length(glm::dvec3(analysis_.light) - extent_.center())) + " away)";
     }
     sketch_.label(light_at_, text, Role::light, 10);
-    for (const glm::dvec3& target : ray_targets(lit_body(), analysis_.light, light_rays)) ray_to(target);
+    draw_rays();
     if (type == LightType::spot && !light_far_) cone();
   }
 
-  void ray_to(const glm::dvec3& target) {
-    const glm::dvec4 l = analysis_.light;
-    const glm::dvec3 to_light = safe_normalize(glm::dvec3(l) - l.w * target);
-    const double reach = light_far_ ? glm::dot(light_at_ - target, to_light) : glm::length(light_at_ - target);
-    // Parallel rays start on one wave front just below the sun; a lamp's start at its disc.
-    const double gap = light_far_ ? 0.04 * radius_ : std::min(0.3 * reach, view_.length_of(0.035, light_at_));
-    const double length = std::max(reach - gap, light_far_ ? 0.25 * radius_ : 0.0);
-    sketch_.line(target + length * to_light, target, {Role::light, 1.75}, Head::arrow);
+  /// A lamp's rays all start at the lamp. A sun sends one ray from where it stands, and shorter parallel ones beside it.
+  void draw_rays() {
+    const auto targets = ray_targets(lit_body(), analysis_.light, light_rays);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      const glm::dvec3 to_light = safe_normalize(glm::dvec3(analysis_.light) - analysis_.light.w * targets[i]);
+      const double reach = glm::length(light_at_ - targets[light_far_ ? 0 : i]);
+      const double gap = std::min(0.3 * reach, view_.length_of(0.038, light_at_));
+      const double length = light_far_ && i > 0 ? 0.5 * reach : reach - gap;
+      sketch_.line(targets[i] + length * to_light, targets[i], {Role::light, 1.75}, Head::arrow);
+    }
   }
 
   /// The spot's cone up to its target, or to where it is as wide as the scene.
