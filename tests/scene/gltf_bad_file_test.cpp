@@ -177,6 +177,13 @@ TEST(GltfBad, IndexBeyondTheVertices) {
   EXPECT_THAT(error_for(doc), HasSubstr("meshes[0].primitives[0].indices holds 2 (index 2); allowed are 0 to 1"));
 }
 
+TEST(GltfBad, NamesWithLineBreaks) {
+  json doc = triangle();
+  doc["meshes"][0]["primitives"][0]["attributes"]["_A\nB"] = 9;
+  EXPECT_THAT(error_for(doc), HasSubstr("attributes._A?B is 9"));
+  EXPECT_EQ(read_gltf("no\nsuch.glb").error().text, "no?such.glb: there is no such file");
+}
+
 TEST(GltfBad, AttributesOfDifferentLengths) {
   json doc = triangle();
   doc["accessors"].push_back({{"bufferView", 0}, {"componentType", 5126}, {"count", 2}, {"type", "VEC3"}});

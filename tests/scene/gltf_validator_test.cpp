@@ -86,7 +86,8 @@ struct Files {
     const fs::path file = folder.path() / (name + ".glb");
     const auto error = write_glb(scene, file);
     ASSERT_FALSE(error) << error->text;
-    arguments += " " + quoted(file);
+    arguments += ' ';
+    arguments += quoted(file);
   }
 };
 

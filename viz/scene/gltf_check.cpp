@@ -51,7 +51,7 @@ struct Level {
   Level(const json& object, std::string where) : in(object), place(std::move(where)) {
     if (!in.is_object()) fail(place, "is " + shown(in) + "; an object is needed");
   }
-  std::string path(const std::string& key) const { return place.empty() ? key : place + "." + key; }
+  std::string path(const std::string& key) const { return place.empty() ? printable(key) : place + "." + printable(key); }
 
   const json* value(const char* key, Need need) const {
     const json* found = find(in, key);

@@ -135,6 +135,13 @@ std::string printable(const std::string& text, std::size_t limit) {
   return text.size() > limit ? out + "..." : out;
 }
 
+std::string shown(const std::filesystem::path& file) {
+  std::string out = file.string();
+  for (char& c : out)
+    if (std::uint8_t(c) < 0x20 || c == 0x7F) c = '?';
+  return out;
+}
+
 Bytes read_file(const std::filesystem::path& file, std::uint64_t limit) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);

@@ -102,7 +102,7 @@ void Budget::add_pixels(std::uint64_t count, const std::string& place) {
 }  // namespace gltf
 
 Result<Scene> read_gltf(const std::filesystem::path& file) {
-  const std::string name = file.string() + ": ";
+  const std::string name = gltf::shown(file) + ": ";
   try {
     return gltf::read_scene(file);
   } catch (const gltf::Problem& problem) {

@@ -43,6 +43,9 @@ std::string at(const std::string& array, std::size_t index);
 /// Text of a file as it may stand in a message: one line of printable characters, not long.
 std::string printable(const std::string& text, std::size_t limit = 60);
 
+/// A file's name as it may stand in a message: whole, without control characters.
+std::string shown(const std::filesystem::path& file);
+
 // ---- gltf_file.cpp ---------------------------------------------------------------------------------------------------
 
 /// A regular file's bytes; a Problem for folders, pipes, devices, empty files and files above `limit` bytes.

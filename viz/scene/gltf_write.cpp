@@ -274,7 +274,7 @@ std::optional<InputError> write_glb(const Scene& scene, const std::filesystem::p
   try {
     return write_file_atomically(file, gltf::Writer(scene).glb());
   } catch (const gltf::Problem& problem) {
-    return InputError{file.string() + ": " + problem.text};
+    return InputError{gltf::shown(file) + ": " + problem.text};
   }
 }
 
