@@ -26,9 +26,9 @@ std::string read_text(const std::filesystem::path& file) {
   return text.str();
 }
 
-GLuint compile(GLenum stage, const std::filesystem::path& file) {
+GLuint compile(GLenum stage, const std::filesystem::path& file, const std::string& defines) {
   const std::string text = read_text(file);
-  const std::array<const char*, 2> parts{epoxy_is_desktop_gl() ? kCorePrefix : kEsPrefix, text.c_str()};
+  const std::array<const char*, 3> parts{epoxy_is_desktop_gl() ? kCorePrefix : kEsPrefix, defines.c_str(), text.c_str()};
   const GLuint shader = glCreateShader(stage);
   glShaderSource(shader, GLsizei(parts.size()), parts.data(), nullptr);
   glCompileShader(shader);
@@ -47,10 +47,11 @@ void fail(const std::string& line) {
   std::exit(1);
 }
 
-Program::Program(const std::filesystem::path& shaders, const std::string& vertex, const std::string& fragment)
+Program::Program(const std::filesystem::path& shaders, const std::string& vertex, const std::string& fragment,
+                 const std::string& defines)
     : name_(glCreateProgram()) {
-  for (const GLuint shader :
-       {compile(GL_VERTEX_SHADER, shaders / (vertex + ".vert")), compile(GL_FRAGMENT_SHADER, shaders / (fragment + ".frag"))}) {
+  for (const GLuint shader : {compile(GL_VERTEX_SHADER, shaders / (vertex + ".vert"), defines),
+                              compile(GL_FRAGMENT_SHADER, shaders / (fragment + ".frag"), defines)}) {
     glAttachShader(name_, shader);
     glDeleteShader(shader);  // once the program goes
   }

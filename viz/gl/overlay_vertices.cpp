@@ -14,10 +14,10 @@ namespace {
 constexpr double kDash = 6.0, kGap = 4.0;  // pixels at scale 1
 constexpr double kHiddenDash = 5.0, kHiddenGap = 4.0;
 constexpr double kHiddenWidth = 0.7, kHiddenOpacity = 0.6;
-constexpr double kPull = 2e-5;                               // towards the eye, of normalised depth: 1e-5 of its range
-constexpr double kMargin = 64.0;                             // pixels beyond the picture where lines end
-constexpr double kArrowLength = 11.0, kArrowPerWidth = 3.0;  // pixels at scale 1; and per pixel of width
-constexpr double kArrowSlope = 0.38;                         // half width over length
+constexpr double kPull = 2e-5;                              // towards the eye, of normalised depth: 1e-5 of its range
+constexpr double kMargin = 64.0;                            // pixels beyond the picture where lines end
+constexpr double kArrowLength = 8.0, kArrowPerWidth = 2.5;  // pixels at scale 1; and per pixel of width
+constexpr double kArrowSlope = 0.38;                        // half width over length
 
 /// A clipped segment: what is left of a + t (b - a).
 struct Piece {

@@ -12,7 +12,7 @@ namespace psm::gl {
 namespace {
 
 constexpr double kConeEdge = glm::radians(1.0);  // how soft a spot's edge is, inwards
-constexpr float kPushBack = 1.5f;                // pixels of slope, so that lines on a surface keep both halves of their width
+constexpr float kPushBack = 1.5f;                // pixels of slope
 constexpr float kPointSize = 4.0f;               // pixels at scale 1, of a mesh's points
 
 /// Of any length but zero, to unit length; what is zero or not finite stays dark.
@@ -30,22 +30,73 @@ struct MapCorner {
   glm::vec2 map;  // 0 to 1 over the picture
 };
 
+/// What is the same for all programs and batches of one picture.
+struct SceneUniforms {
+  glm::mat4 clip_from_local{1.0f}, cube_from_local{1.0f};
+  float cube_limit = 0.0f, point_size = 1.0f, receiver_bias = 1.0f;
+  glm::vec3 ground{1.0f}, spot_axis{0.0f};
+  glm::vec2 spot_cosines{-2.0f};
+  glm::vec4 light{0.0f};
+  std::span<const glm::mat4> maps_from_local;
+};
+
+void set_spot(SceneUniforms& to, const LightSettings& light) {
+  const glm::dvec3 to_target = light.target - light.position;
+  if (light.type != LightType::spot || !(glm::length(to_target) > 0.0)) return;
+  const double half = glm::radians(0.5 * light.cone_deg);
+  to.spot_axis = glm::vec3(glm::normalize(to_target));
+  to.spot_cosines = glm::vec2(std::cos(half), std::cos(half - std::min(kConeEdge, 0.2 * half)));
+}
+
+void use(Program& program, const SceneUniforms& values) {
+  program.use();
+  program.set("u_clip_from_local", values.clip_from_local);
+  program.set("u_cube_from_local", values.cube_from_local);
+  program.set("u_cube_limit", values.cube_limit);
+  program.set("u_point_size", values.point_size);
+  program.set("u_receiver_bias", values.receiver_bias);
+  program.set("u_ground", values.ground);
+  program.set("u_spot_axis", values.spot_axis);
+  program.set("u_spot_cosines", values.spot_cosines);
+  program.set("u_light", values.light);
+  program.set("u_map_from_local", values.maps_from_local);
+  program.set("u_map_count", int(values.maps_from_local.size()));
+  program.set("u_texture", 0);
+  program.set("u_map", 1);
+}
+
+/// The batches that need to discard fragments, or those that do not.
+void draw_batches(Program& program, const SceneBuffers& scene, bool all_discard, bool discarding) {
+  for (const Batch& batch : scene.batches()) {
+    if ((all_discard || scene.material(batch).alpha_cutoff > 0.0f) != discarding) continue;
+    program.set("u_has_surface", batch.primitive == Primitive::triangles ? 1 : 0);
+    scene.bind_material(batch, program);
+    scene.draw(batch);
+  }
+}
+
+/// Both sides of w = 0 where the picture is projective; the winding flips with the sign.
+void draw_scene(std::array<Program, 2>& programs, const SceneUniforms& values, const SceneBuffers& scene, bool projective,
+                bool clockwise_front) {
+  scene.bind();
+  for (const bool discarding : {false, true}) {
+    Program& program = programs[discarding ? 1 : 0];
+    use(program, values);
+    for (const float sign : {1.0f, -1.0f}) {
+      if (sign < 0.0f && !projective) continue;
+      program.set("u_sign", sign);
+      glFrontFace(clockwise_front == (sign > 0.0f) ? GL_CW : GL_CCW);
+      draw_batches(program, scene, projective, discarding);
+    }
+  }
+}
+
 }  // namespace
 
-void ScenePass::set_light(const Analysis& analysis, const SceneBuffers& scene) {
-  program_.set("u_light", unit_light(scene.local_from_world() * analysis.light));
-  glm::vec2 cosines(-2.0f);
-  glm::vec3 axis(0.0f);
-  const LightSettings& light = analysis.experiment.light;
-  const glm::dvec3 to_target = light.target - light.position;
-  if (light.type == LightType::spot && glm::length(to_target) > 0.0) {
-    const double half = glm::radians(0.5 * light.cone_deg);
-    axis = glm::vec3(glm::normalize(to_target));
-    cosines = glm::vec2(std::cos(half), std::cos(half - std::min(kConeEdge, 0.2 * half)));
-  }
-  program_.set("u_spot_axis", axis);
-  program_.set("u_spot_cosines", cosines);
-}
+ScenePass::ScenePass(const std::filesystem::path& shaders)
+    : shading_{Program(shaders, "scene", "scene"), Program(shaders, "scene", "scene", "#define MAY_DISCARD\n")},
+      depth_{Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n"),
+             Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n#define MAY_DISCARD\n")} {}
 
 void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map,
                      double scale, Theme theme) {
@@ -55,38 +106,34 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
   const auto cube = narrow(picture.cube_from_world * scene.world_from_local());
   if (!clip || (projective && !cube)) return;
 
-  program_.use();
-  program_.set("u_clip_from_local", *clip);
-  program_.set("u_cube_from_local", cube.value_or(glm::mat4(1.0f)));
-  program_.set("u_cube_limit", projective ? float(picture.cube_limit) : 0.0f);
-  program_.set("u_ground", ground_color(theme));
-  program_.set("u_point_size", float(kPointSize * scale));
-  program_.set("u_texture", 0);
-  program_.set("u_map", 1);
-  program_.set("u_map_from_local", std::span<const glm::mat4>(map.maps_from_local()));
-  program_.set("u_map_count", int(map.maps_from_local().size()));
+  SceneUniforms values;
+  values.clip_from_local = *clip;
+  values.cube_from_local = cube.value_or(glm::mat4(1.0f));
+  values.cube_limit = projective ? float(picture.cube_limit) : 0.0f;
+  values.point_size = float(kPointSize * scale);
+  values.receiver_bias = float(std::clamp(analysis.experiment.shadow.depth_bias, 0.0, 1.0));
+  values.ground = ground_color(theme);
+  values.light = unit_light(scene.local_from_world() * analysis.light);
+  values.maps_from_local = map.maps_from_local();
+  set_spot(values, analysis.experiment.light);
+
   map.bind_for_comparison(1);
-  set_light(analysis, scene);
-
-  const bool clockwise = front_is_clockwise(clip_from_local);
-  draw_batches(scene, 1.0f, clockwise);
-  if (projective) draw_batches(scene, -1.0f, !clockwise);
-}
-
-void ScenePass::draw_batches(const SceneBuffers& scene, float sign, bool clockwise_front) {
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
+  const bool clockwise = front_is_clockwise(clip_from_local);
+  draw_scene(shading_, values, scene, projective, clockwise);
+  const DrawList& list = picture.list;
+  if (list.lines.empty() && list.fills.empty() && list.points.empty()) return;
+
+  // The depth again, for what is drawn over the scene: farther by a line's width of slope, so that lines on a surface keep both
+  // halves of their width. Not in the pass that one sees, where it would let back faces through at silhouettes.
+  const float far_end = 1.0f;
+  glClearBufferfv(GL_DEPTH, 0, &far_end);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kPushBack, 1.0f);
-  glFrontFace(clockwise_front ? GL_CW : GL_CCW);
-  program_.set("u_sign", sign);
-  scene.bind();
-  for (const Batch& batch : scene.batches()) {
-    program_.set("u_has_surface", batch.primitive == Primitive::triangles ? 1 : 0);
-    scene.bind_material(batch, program_);
-    scene.draw(batch);
-  }
+  draw_scene(depth_, values, scene, projective, clockwise);
   glDisable(GL_POLYGON_OFFSET_FILL);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 MapPass::MapPass(const std::filesystem::path& shaders)

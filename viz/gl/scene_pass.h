@@ -2,6 +2,7 @@
 // The lit scene with shadows from the map, and the map itself as a picture.
 #pragma once
 
+#include <array>
 #include <filesystem>
 
 #include "draw/view.h"
@@ -14,17 +15,14 @@ namespace psm::gl {
 
 class ScenePass {
  public:
-  explicit ScenePass(const std::filesystem::path& shaders) : program_(shaders, "scene", "scene") {}
+  explicit ScenePass(const std::filesystem::path& shaders);
 
   /// ScenePicture::shadowed and ::projective, into the bound framebuffer, with depth.
   void draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map, double scale,
             Theme theme);
 
  private:
-  void set_light(const Analysis& analysis, const SceneBuffers& scene);
-  void draw_batches(const SceneBuffers& scene, float sign, bool clockwise_front);
-
-  Program program_;
+  std::array<Program, 2> shading_, depth_;  // each: without and with fragments that may be discarded
 };
 
 class MapPass {
