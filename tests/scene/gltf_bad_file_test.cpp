@@ -323,8 +323,9 @@ TEST(GlbBad, Containers) {
 
 TEST(GlbBad, EveryTruncationIsRefused) {
   const std::string good = good_glb();
-  for (std::size_t size = 0; size < good.size(); ++size)
-    EXPECT_NE(error_for_bytes("a.glb", good.substr(0, size)), "no error") << size;
+  const TempFolder folder;
+  for (std::size_t size = 0; size < good.size(); size += size < 64 ? 1 : 7)
+    EXPECT_FALSE(read_gltf(folder.write("a.glb", good.substr(0, size)))) << size;
 }
 
 }  // namespace
