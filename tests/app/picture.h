@@ -16,7 +16,7 @@ bool shows_something(const Image& image, int x, int y, int width, int height);
 
 struct Difference {
   int largest = 0;        // of any channel of any pixel
-  double fraction = 0.0;  // of the pixels, of those that differ by more than `ignored` in some channel
+  double fraction = 0.0;  // of the pixels: those that differ by more than `ignored` in some channel
   Image image;            // black where equal, brighter where not
 };
 

@@ -91,6 +91,16 @@ TEST(Window, WithoutADisplayTheViewsBecomeAPicture) {
   EXPECT_TRUE(read_png(folder / "psmlab-views.png"));
 }
 
+TEST(Render, WithoutOpenGLItSaysSoInOneLine) {
+  const Folder folder;
+  setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1);
+  const Outcome run = run_program({"render", "ground", "--view", "eye", "--out", folder / "x.png"});
+  unsetenv("__EGL_VENDOR_LIBRARY_DIRS");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(is_one_line(run.err)) << run.err;
+  EXPECT_THAT(folder.names(), ::testing::IsEmpty());
+}
+
 TEST(Layout, ViewsDoNotOverlapAndStayInside) {
   for (int count = 1; count <= 4; ++count) {
     RenderRequest request;
