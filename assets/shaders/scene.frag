@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // With MAY_DISCARD: cutoff textures and the cube view's limit; without, cards test depth before they shade. DEPTH_ONLY: no shading.
 // Hemisphere light from above and one light with shadows. No fall-off with distance: shadows have to be read, not admired.
-// Centroid: beyond a triangle's edge, its plane is in another place's shadow.
-centroid in vec3 v_position;
-centroid in vec3 v_normal;
-centroid in vec2 v_texcoord;
-centroid in vec4 v_color;
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_texcoord;
+in vec4 v_color;
 
 uniform sampler2D u_texture;
 uniform bool u_textured;

@@ -6,10 +6,10 @@ layout(location = 3) in vec4 a_color;
 uniform mat4 u_clip_from_local;
 uniform float u_sign;  // -1: the other side of w = 0
 uniform float u_point_size;
-centroid out vec3 v_position;
-centroid out vec3 v_normal;
-centroid out vec2 v_texcoord;
-centroid out vec4 v_color;
+out vec3 v_position;
+out vec3 v_normal;
+out vec2 v_texcoord;
+out vec4 v_color;
 
 void main() {
   gl_Position = u_sign * (u_clip_from_local * vec4(a_position, 1.0));
