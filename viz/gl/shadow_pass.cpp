@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace psm::gl {
 namespace {
@@ -22,7 +23,9 @@ void set_sampler(const Sampler& sampler, GLint compare_mode) {
 
 std::vector<glm::dmat4> maps_from_world(const Analysis& analysis) {
   if (analysis.cube_maps_from_world) return {analysis.cube_maps_from_world->begin(), analysis.cube_maps_from_world->end()};
-  if (analysis.map_from_world) return {*analysis.map_from_world};
+  // A reversed depth test is the usual one on the negated depth.
+  const double order = analysis.reversed_depth ? -1.0 : 1.0;
+  if (analysis.map_from_world) return {glm::scale(glm::dmat4(1.0), {1.0, 1.0, order}) * *analysis.map_from_world};
   return {};
 }
 

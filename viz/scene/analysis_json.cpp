@@ -135,6 +135,7 @@ std::string analysis_to_json(const Analysis& analysis, const Scene& scene) {
   root["worse_than_uniform"] = JsonNode::boolean(analysis.worse_than_uniform);
   root["notes"] = JsonNode();  // its place; the notes are complete once all else is there
   root["matrices"] = matrices_node(analysis);
+  root["reversed_depth"] = JsonNode::boolean(analysis.reversed_depth);
   root["vanishing_plane"] = analysis.vanishing_plane ? JsonNode(*analysis.vanishing_plane) : JsonNode();
   root["caster_body"] = body_node(analysis.caster_body);
   root["receivers_body"] = body_node(analysis.receivers_body);
