@@ -9,6 +9,7 @@ uniform float u_scale;
 out vec4 o_color;
 
 const float kNear = 0.86, kFar = 0.22;  // sRGB greys
+const float kRelief = 3.0;
 
 vec3 empty_color() {
   float dark = step(u_ground.r, 0.5);
@@ -19,16 +20,38 @@ vec3 empty_color() {
   return mix(paper, ink, line);
 }
 
-vec3 texel_color(vec2 at, vec3 empty) {
+// Texel and layer.
+ivec3 texel_at(vec2 at) {
   vec2 sheet = clamp(at, vec2(0.0), vec2(0.999999)) * u_tiles;
   ivec2 tile = ivec2(sheet);
-  int layer = (int(u_tiles.y) - 1 - tile.y) * int(u_tiles.x) + tile.x;
   int side = textureSize(u_map, 0).x;
-  ivec2 texel = min(ivec2(fract(sheet) * float(side)), ivec2(side - 1));
-  float depth = texelFetch(u_map, ivec3(texel, layer), 0).r;
-  if (depth >= 1.0) return empty;
-  float t = (depth - u_depth_range.x) / max(u_depth_range.y - u_depth_range.x, 1e-7);
-  return vec3(mix(kNear, kFar, clamp(t, 0.0, 1.0)));
+  return ivec3(min(ivec2(fract(sheet) * float(side)), ivec2(side - 1)), (int(u_tiles.y) - 1 - tile.y) * int(u_tiles.x) + tile.x);
+}
+
+// Depth over the range in use.
+float stretched(float depth) { return (depth - u_depth_range.x) / max(u_depth_range.y - u_depth_range.x, 1e-7); }
+
+vec3 texel_color(vec2 at, vec3 empty) {
+  float depth = texelFetch(u_map, texel_at(at), 0).r;
+  return depth >= 1.0 ? empty : vec3(mix(kNear, kFar, clamp(stretched(depth), 0.0, 1.0)));
+}
+
+// How much the surroundings are farther than a texel: 0 on a plane, large along the edge of a caster. Without it, a caster close to
+// its receiver is hardly seen beside the receiver's own range of depths.
+float relief(vec2 at) {
+  ivec3 texel = texel_at(at);
+  float here = texelFetch(u_map, texel, 0).r;
+  if (here >= 1.0) return 0.0;
+  int last = textureSize(u_map, 0).x - 1;
+  float sum = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 by = (i % 2 == 0 ? ivec2(3, 0) : ivec2(0, 3)) * (i < 2 ? 1 : -1);
+    if (any(lessThan(texel.xy + by, ivec2(0))) || any(greaterThan(texel.xy + by, ivec2(last)))) return 0.0;
+    float there = texelFetch(u_map, texel + ivec3(by, 0), 0).r;
+    if (there >= 1.0) return 0.0;
+    sum += stretched(there) - stretched(here);
+  }
+  return sum / 4.0;
 }
 
 void main() {
@@ -39,7 +62,7 @@ void main() {
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) sum += texel_color(v_map + (float(x) * right + float(y) * up) / 3.0, empty);
   }
-  vec3 color = sum / 9.0;
+  vec3 color = sum / 9.0 + clamp(kRelief * relief(v_map), -0.10, 0.16);
   // A seam between the tiles of a sheet.
   vec2 sheet = v_map * u_tiles;
   vec2 seam = abs(sheet - floor(sheet + 0.5)) / max(vec2(length(vec2(right.x, up.x)), length(vec2(right.y, up.y))) * u_tiles, vec2(1e-9));

@@ -22,18 +22,22 @@ ListPass::ListPass(const std::filesystem::path& shaders, const std::filesystem::
       text_(shaders, font) {}
 
 void ListPass::draw(const ViewPicture& picture, const PictureFrame& frame) {
-  glEnable(GL_DEPTH_TEST);
-  glDepthMask(GL_FALSE);
-  enable_blending();
-  draw_fills(picture, frame);
-  draw_seen(picture, frame, Seen::behind);
-  draw_seen(picture, frame, Seen::in_front);
-
-  glDisable(GL_DEPTH_TEST);
   std::vector<ShapeVertex> plates;
   std::vector<LineVertex> leaders;
   const std::vector<TextBox> boxes = text_.layout(picture, frame, plates, leaders);
-  draw_lines(leaders);
+
+  glDepthMask(GL_FALSE);
+  enable_blending();
+  glEnable(GL_DEPTH_TEST);
+  draw_fills(picture, frame);
+  draw_list_lines(picture, frame, Seen::behind);
+  draw_list_lines(picture, frame, Seen::in_front);
+  glDisable(GL_DEPTH_TEST);
+  draw_lines(leaders);  // they end under the points that they lead to
+  glEnable(GL_DEPTH_TEST);
+  draw_list_points(picture, frame, Seen::behind);
+  draw_list_points(picture, frame, Seen::in_front);
+  glDisable(GL_DEPTH_TEST);
   draw_shapes(plates);
   text_.draw(boxes, frame);
   glDepthMask(GL_TRUE);
@@ -55,9 +59,13 @@ void ListPass::draw_fills(const ViewPicture& picture, const PictureFrame& frame)
   glDisable(GL_CULL_FACE);
 }
 
-void ListPass::draw_seen(const ViewPicture& picture, const PictureFrame& frame, Seen seen) {
+void ListPass::draw_list_lines(const ViewPicture& picture, const PictureFrame& frame, Seen seen) {
   glDepthFunc(seen == Seen::behind ? GL_GREATER : GL_LEQUAL);
   draw_lines(line_vertices(picture.list, picture.clip_from_list, frame, seen));
+}
+
+void ListPass::draw_list_points(const ViewPicture& picture, const PictureFrame& frame, Seen seen) {
+  glDepthFunc(seen == Seen::behind ? GL_GREATER : GL_LEQUAL);
   draw_shapes(point_vertices(picture.list, picture.clip_from_list, frame, seen));
 }
 

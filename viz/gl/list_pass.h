@@ -18,7 +18,8 @@ class ListPass {
 
  private:
   void draw_fills(const ViewPicture& picture, const PictureFrame& frame);
-  void draw_seen(const ViewPicture& picture, const PictureFrame& frame, Seen seen);
+  void draw_list_lines(const ViewPicture& picture, const PictureFrame& frame, Seen seen);
+  void draw_list_points(const ViewPicture& picture, const PictureFrame& frame, Seen seen);
   void draw_lines(std::span<const LineVertex> vertices);
   void draw_shapes(std::span<const ShapeVertex> vertices);
 

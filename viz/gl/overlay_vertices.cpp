@@ -189,7 +189,7 @@ std::vector<ShapeVertex> point_vertices(const DrawList& list, const glm::dmat4& 
     const double radius = point.radius * frame.scale;
     flat.box = glm::vec4(pixels_of(clip, frame), radius, radius);
     flat.fill = glm::vec4(role_color(point.role), opacity);
-    flat.outline = glm::vec4(glm::vec3(0.1f), 0.85f * opacity);
+    flat.outline = glm::vec4(glm::vec3(frame.theme == Theme::light ? 0.1f : 0.95f), 0.85f * opacity);
     flat.shape = glm::vec2(radius, 1.25 * frame.scale);
     append_shape(vertices, flat, pulled_depth(clip), frame);
   }
