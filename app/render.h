@@ -17,7 +17,6 @@ struct RenderRequest {
   Theme theme = Theme::light;
 };
 
-constexpr ViewId kAllViews[] = {ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};
 constexpr int kLargestSide = 16384;
 constexpr std::int64_t kMostPixels = 64 << 20;
 

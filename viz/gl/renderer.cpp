@@ -26,7 +26,7 @@ struct Renderer::State {
   gl::MapPass map_pass;
   gl::ListPass list_pass;
   gl::MultisampleTarget multisample;
-  std::array<gl::ViewTarget, 4> targets;  // by ViewId
+  std::array<gl::ViewTarget, kAllViews.size()> targets;  // by ViewId
 };
 
 namespace {

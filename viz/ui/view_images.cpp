@@ -29,7 +29,7 @@ OrbitSettings FittedOrbits::fitted(std::optional<Fit>& fit, ViewId id, const Orb
   return out;
 }
 
-ViewSettings FittedOrbits::shown(const Model& model, const std::array<glm::ivec2, 4>& sizes) {
+ViewSettings FittedOrbits::shown(const Model& model, const ViewSizes& sizes) {
   ViewSettings view = model.experiment().view;
   const auto size = [&](ViewId id) { return sizes[std::size_t(id)]; };
   // A hidden view keeps the fit it had.
@@ -46,13 +46,12 @@ void ViewImages::upload(const Model& model) {
   map_ = model.analysis_revision();
 }
 
-int ViewImages::update(const Model& model, const ViewSettings& shown, const std::array<glm::ivec2, 4>& sizes, double scale,
-                       Theme theme) {
+int ViewImages::update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme) {
   if (known_analysis_ != model.analysis_revision()) analysis_ = model.analysis();
   known_analysis_ = model.analysis_revision();
   analysis_.experiment.view = shown;
   int drawn = 0;
-  for (ViewId id : {ViewId::world, ViewId::cube, ViewId::map, ViewId::eye}) {
+  for (ViewId id : kAllViews) {
     const glm::ivec2 size = sizes[std::size_t(id)];
     if (size.x <= 0 || size.y <= 0) continue;
     View& view = views_[std::size_t(id)];

@@ -17,8 +17,8 @@ namespace psm {
 /// experiment changes.
 class FittedOrbits {
  public:
-  /// The views with every orbit written out. `sizes` of the views, by ViewId.
-  ViewSettings shown(const Model& model, const std::array<glm::ivec2, 4>& sizes);
+  /// The views with every orbit written out.
+  ViewSettings shown(const Model& model, const ViewSizes& sizes);
   void fit_again() { world_.reset(), cube_.reset(); }
 
  private:
@@ -37,7 +37,7 @@ class ViewImages {
   explicit ViewImages(Renderer& renderer) : renderer_(renderer) {}
 
   /// Draws what is out of date; returns how many views were drawn. `sizes`: empty (0) for hidden views.
-  int update(const Model& model, const ViewSettings& shown, const std::array<glm::ivec2, 4>& sizes, double scale, Theme theme);
+  int update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme);
 
   const ViewPicture& picture(ViewId id) const { return views_[std::size_t(id)].picture; }
   std::uint32_t texture(ViewId id) const { return views_[std::size_t(id)].texture; }
@@ -63,7 +63,7 @@ class ViewImages {
   Renderer& renderer_;
   Analysis analysis_;
   std::uint64_t scene_ = 0, map_ = 0, known_analysis_ = 0;
-  std::array<View, 4> views_;
+  std::array<View, kAllViews.size()> views_;
 };
 
 }  // namespace psm

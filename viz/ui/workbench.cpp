@@ -42,9 +42,9 @@ struct Workbench::Frame {
   std::string tag;
   bool changed = false;
 
-  std::array<glm::ivec2, 4> view_sizes() const {
-    std::array<glm::ivec2, 4> sizes;
-    for (std::size_t i = 0; i < 4; ++i) {
+  ViewSizes view_sizes() const {
+    ViewSizes sizes;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
       sizes[i] = layout.views[i].size();
       if (sizes[i].x < smallest_view || sizes[i].y < smallest_view) sizes[i] = glm::ivec2(0);
     }
@@ -128,7 +128,7 @@ void Workbench::splitters(Frame& f) {
 }
 
 void Workbench::tiles(Frame& f) {
-  for (ViewId id : {ViewId::world, ViewId::cube, ViewId::map, ViewId::eye}) {
+  for (ViewId id : kAllViews) {
     const std::string tag = tile_input(f.ui, id, f.layout.view(id), images_, drag_, f.edited);
     if (!tag.empty()) f.tag = tag;
   }
@@ -185,7 +185,7 @@ void Workbench::draw_views(Frame& f) {
   const int drawn = images_.update(model_, fitted_.shown(model_, sizes), sizes, f.scale, settings_.theme);
   views_drawn_ += std::uint64_t(drawn);
   if (drawn > 0) views_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  for (ViewId id : {ViewId::world, ViewId::cube, ViewId::map, ViewId::eye})
+  for (ViewId id : kAllViews)
     if (sizes[std::size_t(id)].x > 0) draw_tile(f.ui, id, f.layout.view(id), images_, drag_);
 }
 
