@@ -115,9 +115,9 @@ bool Bench::scroll_to(const std::string& place) {
   const auto pane = work_places().find("pane.fields");
   const auto found = work_places().find(place);
   if (pane == work_places().end() || found == work_places().end()) return false;
-  const Rect& window = pane->second;
+  const Rect window = pane->second;
   for (int tries = 0; tries < 300; ++tries) {
-    const Rect& rect = work_places().at(place);
+    const Rect rect = work_places().at(place);
     const bool inside_pane = rect.min.x >= window.min.x;
     if (!inside_pane || (rect.min.y >= window.min.y && rect.max.y <= window.max.y)) return true;
     wheel(glm::dvec2(window.max.x - 3, window.max.y - 3), rect.min.y < window.min.y ? 0.5 : -0.5);

@@ -107,9 +107,10 @@ TEST(LightCase, TheSunIsDraggedInTheWorldView) {
   const glm::dvec2 start = glm::dvec2(world.min) + sun->pixel;
   ShadowWatch watch(bench);
   std::vector<PostLight> cases;
+  note_case(cases, bench.analysis());
   bench.press(start);
-  for (int i = 1; i <= 12; ++i) {
-    bench.move(start + glm::dvec2(0.0, 4.0 * i));
+  for (int i = 1; i <= 16; ++i) {
+    bench.move(start + glm::dvec2(-5.0 * i, 0.0));
     note_case(cases, bench.analysis());
     watch.check("step " + std::to_string(i));
   }

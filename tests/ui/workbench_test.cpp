@@ -76,9 +76,11 @@ TEST(Workbench, OnlyTheViewThatTurnsIsDrawnAgain) {
   EXPECT_EQ(bench.work().views_drawn(), views + 1);
   EXPECT_EQ(bench.work().model().analysis_revision(), analyses);
   bench.key('4');
-  const auto maximised = bench.work().views_drawn();
+  const auto alone = bench.work().views_drawn();
   bench.drag(bench.at("theta", 0.44), bench.at("theta", 0.6), 0, 1);
-  EXPECT_EQ(bench.work().views_drawn(), maximised + 1) << "hidden views cost nothing";
+  const auto analysed = bench.work().model().analysis_revision() - analyses;
+  EXPECT_GT(analysed, 0u);
+  EXPECT_EQ(bench.work().views_drawn(), alone + analysed) << "hidden views cost nothing";
 }
 
 TEST(Workbench, TheWorldViewStaysWhileTheExperimentChanges) {

@@ -65,6 +65,7 @@ void Dialogs::show(Kind kind, const std::string& text) {
   shown_ = kind;
   opens_ = true;
   closing_ = false;
+  age_ = 0;
   text_ = text;
   if (kind == Kind::open) files_ = files_here();
 }
@@ -72,6 +73,7 @@ void Dialogs::show(Kind kind, const std::string& text) {
 Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
   Answer answer;
   if (shown_ == Kind::none) return answer;
+  ++age_;
   const char* title = title_of(shown_);
   if (opens_) ImGui::OpenPopup(title);
   const ImGuiViewport* viewport = ImGui::GetMainViewport();

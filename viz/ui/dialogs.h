@@ -18,7 +18,8 @@ class Dialogs {
 
   void show(Kind kind, const std::string& text = "");  // text: the path to begin with, or what went wrong
   Kind shown() const { return closing_ ? Kind::none : shown_; }
-  bool just_shown() const { return opens_; }
+  /// A new pop-up needs some frames until its first field takes keys; those typed meanwhile must wait.
+  bool settling() const { return shown() != Kind::none && age_ < 3; }
   void close() { closing_ = true; }
 
   /// What the user has decided in this frame.
@@ -39,6 +40,7 @@ class Dialogs {
 
   Kind shown_ = Kind::none;
   bool opens_ = false;    // in the next frame
+  int age_ = 0;           // frames
   bool closing_ = false;  // at the end of this frame: ImGui must see a pop-up once more to let go of it
   std::string text_;
   Settings pending_;                // while a slider of the settings is held

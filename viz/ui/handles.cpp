@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "math/projective.h"
 
@@ -39,17 +38,25 @@ glm::dvec3 moved(const HandleDrag& drag, glm::dvec2 pixel, bool vertical) {
   return drag.handle.position + glm::dvec3(0.0, -way.y / std::copysign(seen, axes.up.y), 0.0);
 }
 
-/// The sun follows the mouse as a mark on a transparent ball around the view's target does; on its far side it moves the other
-/// way.
+/// The sun moves like a mark on a ball around the middle of the picture, seen from afar; pushed over the ball's outline it goes
+/// on behind. Its own distance from the middle gives the ball's size.
 glm::dvec3 turned_sun(const HandleDrag& drag, glm::dvec2 pixel) {
   const PictureAxes axes(drag.camera);
   const glm::dvec3 to_light = drag.before.light.to_light;
-  const double radius = std::max(40.0, glm::length(drag.handle.pixel - 0.5 * glm::dvec2(drag.size)));
-  const double side = glm::dot(axes.back, safe_normalize(to_light)) < 0.0 ? -1.0 : 1.0;
-  const glm::dvec2 angle = side * (pixel - drag.start) / radius;
-  const glm::dvec3 axis = angle.x * axes.up + angle.y * axes.right;
-  if (!(glm::length(axis) > 0.0)) return to_light;
-  return glm::dvec3(glm::rotate(glm::dmat4(1.0), glm::length(axis), glm::normalize(axis)) * glm::dvec4(to_light, 0.0));
+  const glm::dvec3 unit = safe_normalize(to_light);
+  const glm::dvec2 start(glm::dot(unit, axes.right), glm::dot(unit, axes.up));
+  const double from_middle = glm::length(drag.handle.pixel - 0.5 * glm::dvec2(drag.size));
+  const double radius = std::max(0.25 * drag.size.y, glm::length(start) > 0.2 ? from_middle / glm::length(start) : 0.0);
+  const glm::dvec2 way = (pixel - drag.start) / radius;
+  if (way == glm::dvec2(0.0)) return to_light;
+  glm::dvec2 place = start + glm::dvec2(way.x, -way.y);
+  double side = glm::dot(unit, axes.back) < 0.0 ? -1.0 : 1.0;
+  if (const double out = glm::length(place); out > 1.0) {
+    place *= std::max(0.0, 2.0 - out) / out;
+    side = -side;
+  }
+  const double depth = side * std::sqrt(std::max(0.0, 1.0 - glm::dot(place, place)));
+  return glm::length(to_light) * (place.x * axes.right + place.y * axes.up + depth * axes.back);
 }
 
 }  // namespace

@@ -43,8 +43,9 @@ bool InputQueue::fits(const Event& event, const Taken& taken) {
   switch (event.kind) {
     case Kind::move:
       return !taken.button && !taken.wheel;
+    // A release ends the drag that the move before it still belongs to.
     case Kind::button:
-      return !taken.button && !taken.wheel;
+      return !taken.button && !taken.wheel && (event.down || !taken.move);
     case Kind::wheel:
       return !taken.button;
     case Kind::key:
@@ -58,6 +59,7 @@ void InputQueue::take(const Event& event, Taken& taken, ImGuiIO& io, std::vector
   switch (event.kind) {
     case Kind::move:
       io.MousePos = event.place.x == nowhere ? ImVec2(-FLT_MAX, -FLT_MAX) : ImVec2(float(event.place.x), float(event.place.y));
+      taken.move = true;
       break;
     case Kind::button:
       io.MouseDown[event.code] = event.down;

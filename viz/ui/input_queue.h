@@ -57,7 +57,7 @@ class InputQueue {
   };
   /// What this frame has taken already.
   struct Taken {
-    bool button = false, wheel = false, text = false;
+    bool move = false, button = false, wheel = false, text = false;
     std::set<int> keys;
   };
   static bool fits(const Event& event, const Taken& taken);

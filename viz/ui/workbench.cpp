@@ -191,7 +191,7 @@ void Workbench::draw_views(Frame& f) {
 
 void Workbench::end_frame(Frame& f) {
   if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown()) model_.end_gesture();
-  if (f.changed || requests_.open || requests_.action || dialogs_.just_shown()) wake();
+  if (f.changed || requests_.open || requests_.action || dialogs_.settling()) wake();
   next_wake_ = std::numeric_limits<double>::infinity();
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   if (g.HoveredId != 0 && g.ActiveId == 0 && g.HoveredIdTimer < tooltip_delay)

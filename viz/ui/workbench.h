@@ -52,6 +52,8 @@ class Workbench {
   void open(const std::string& source);
   void act(Action action);
 
+  /// Events have to wait for the next frame.
+  bool holds_input() const { return dialogs_.settling(); }
   bool wants_quit() const { return wants_quit_; }
 
   /// The window's picture is wanted for a PNG: whoever composed the frame hands it over.
