@@ -48,7 +48,7 @@ void add_curves(CLI::App& app, CurvesText& curves) {
 
 void add_render(CLI::App& app, RenderArguments& render) {
   add_experiment(app, render.experiment);
-  app.add_option("--view", render.views, "Comma-separated list of world, cube, map, eye; without it, all four")
+  app.add_option("--view", render.views, "Comma-separated list of " + view_names() + "; without it, all of them")
       ->type_name("LIST");
   app.add_option("--out", render.out, "The picture to write; several views share it in two columns")
       ->type_name("FILE.png")

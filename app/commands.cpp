@@ -52,7 +52,7 @@ Result<std::vector<ViewId>> parse_views(const std::optional<std::string>& names)
   if (!names) views.assign(std::begin(kAllViews), std::end(kAllViews));
   for (const std::string& name : names ? split(*names, ',') : std::vector<std::string>()) {
     const auto found = std::find_if(std::begin(kAllViews), std::end(kAllViews), [&](ViewId id) { return name == name_of(id); });
-    if (found == std::end(kAllViews)) return not_allowed("--view", name, "a list of: world, cube, map, eye");
+    if (found == std::end(kAllViews)) return not_allowed("--view", name, "a list of: " + view_names());
     views.push_back(*found);
   }
   if (views.size() > 16) return InputError{"--view: " + std::to_string(views.size()) + " views; allowed: up to 16"};
@@ -130,6 +130,12 @@ int draw_without_display(const LoadedExperiment& loaded) {
 }
 
 }  // namespace
+
+std::string view_names() {
+  std::string names;
+  for (const ViewId id : kAllViews) names += (names.empty() ? "" : ", ") + std::string(name_of(id));
+  return names;
+}
 
 bool print(const std::string& text) {
   errno = 0;

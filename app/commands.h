@@ -31,6 +31,9 @@ int render_views(const RenderArguments& arguments);
 int list_scenes();
 int write_scenes(const std::string& folder);
 
+/// "world, cube, ...": what --view takes.
+std::string view_names();
+
 /// Writes to standard output; false where that fails (a closed pipe).
 bool print(const std::string& text);
 
