@@ -42,6 +42,18 @@ TEST_F(InputQueueTest, TheLastMoveOfADragIsSeenBeforeTheRelease) {
   EXPECT_FALSE(io().MouseDown[0]);
 }
 
+TEST_F(InputQueueTest, TheMouseIsWhereTheQueueIsNotWhereABackendSeesIt) {
+  queue_.mouse_move({3, 4});
+  queue_.mouse_button(0, true);
+  queue_.mouse_move({5, 6});
+  queue_.feed(io());
+  io().MousePos = {99.0f, 99.0f};
+  io().MouseDown[0] = false;
+  queue_.feed(io());
+  EXPECT_TRUE(io().MouseDown[0]);
+  EXPECT_EQ(io().MousePos.x, 5.0f);
+}
+
 TEST_F(InputQueueTest, AKeyStrokeIsSeenWithItsModifiers) {
   queue_.key(key::control, true);
   queue_.key('Z', true);

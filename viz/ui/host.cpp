@@ -73,7 +73,7 @@ void Host::frame(Workbench& workbench, InputQueue& input, glm::ivec2 size, doubl
   io.DisplaySize = {float(size.x), float(size.y)};
   io.DisplayFramebufferScale = {1.0f, 1.0f};
   io.DeltaTime = float(std::clamp(seconds_since_last, 1e-4, 60.0));
-  const auto presses = workbench.holds_input() ? std::vector<KeyPress>{} : input.feed(io);
+  const auto presses = input.feed(io, workbench.holds_input());
   ImGui::NewFrame();
   workbench.frame(size, display_scale, presses);
   ImGui::Render();

@@ -28,9 +28,14 @@ void InputQueue::mouse_move(glm::dvec2 pixels) {
   if (!events_.empty() && events_.back().kind == Kind::move) events_.pop_back();
   events_.push_back({Kind::move, pixels});
 }
-void InputQueue::mouse_leave() { mouse_move(glm::dvec2(nowhere)); }
+void InputQueue::mouse_leave() {
+  // A drag goes on outside the window.
+  if (held_ == 0) mouse_move(glm::dvec2(nowhere));
+}
 void InputQueue::mouse_button(int button, bool down) {
-  if (button >= 0 && button < 5) events_.push_back({Kind::button, {}, button, down});
+  if (button < 0 || button >= int(buttons_.size())) return;
+  held_ = down ? held_ | (1u << button) : held_ & ~(1u << button);
+  events_.push_back({Kind::button, {}, button, down});
 }
 void InputQueue::wheel(glm::dvec2 steps) { events_.push_back({Kind::wheel, steps}); }
 void InputQueue::key(int key, bool down) {
@@ -58,11 +63,11 @@ bool InputQueue::fits(const Event& event, const Taken& taken) {
 void InputQueue::take(const Event& event, Taken& taken, ImGuiIO& io, std::vector<KeyPress>& presses) {
   switch (event.kind) {
     case Kind::move:
-      io.MousePos = event.place.x == nowhere ? ImVec2(-FLT_MAX, -FLT_MAX) : ImVec2(float(event.place.x), float(event.place.y));
+      mouse_ = event.place.x == nowhere ? std::nullopt : std::optional<glm::dvec2>(event.place);
       taken.move = true;
       break;
     case Kind::button:
-      io.MouseDown[event.code] = event.down;
+      buttons_[std::size_t(event.code)] = event.down;
       taken.button = true;
       break;
     case Kind::wheel:
@@ -88,13 +93,19 @@ void InputQueue::take(const Event& event, Taken& taken, ImGuiIO& io, std::vector
   }
 }
 
-std::vector<KeyPress> InputQueue::feed(ImGuiIO& io) {
+void InputQueue::write_mouse(ImGuiIO& io) const {
+  io.MousePos = mouse_ ? ImVec2(float(mouse_->x), float(mouse_->y)) : ImVec2(-FLT_MAX, -FLT_MAX);
+  for (std::size_t i = 0; i < buttons_.size(); ++i) io.MouseDown[i] = buttons_[i];
+}
+
+std::vector<KeyPress> InputQueue::feed(ImGuiIO& io, bool hold) {
   std::vector<KeyPress> presses;
   Taken taken;
-  while (!events_.empty() && fits(events_.front(), taken)) {
+  while (!hold && !events_.empty() && fits(events_.front(), taken)) {
     take(events_.front(), taken, io, presses);
     events_.pop_front();
   }
+  write_mouse(io);
   return presses;
 }
 

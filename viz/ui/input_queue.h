@@ -2,8 +2,10 @@
 // Mouse, key and text events on their way to the widgets. The window and the tests fill the same queue.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <glm/glm.hpp>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -44,8 +46,8 @@ class InputQueue {
 
   bool empty() const { return events_.empty(); }
 
-  /// Moves events into `io` for the frame that begins now; returns the keys that went down, in order.
-  std::vector<KeyPress> feed(ImGuiIO& io);
+  /// Moves events into `io` for the frame that begins now; returns the keys that went down, in order. `hold`: all events wait.
+  std::vector<KeyPress> feed(ImGuiIO& io, bool hold = false);
 
  private:
   enum class Kind { move, button, wheel, key, text, focus };
@@ -61,9 +63,14 @@ class InputQueue {
     std::set<int> keys;
   };
   static bool fits(const Event& event, const Taken& taken);
-  static void take(const Event& event, Taken& taken, ImGuiIO& io, std::vector<KeyPress>& presses);
+  void take(const Event& event, Taken& taken, ImGuiIO& io, std::vector<KeyPress>& presses);
+  void write_mouse(ImGuiIO& io) const;
 
   std::deque<Event> events_;
+  unsigned held_ = 0;  // buttons down after the last event in the queue, one bit each
+  // As of the last event taken. A window system's backend may write the mouse of this very moment, which is ahead of the queue.
+  std::optional<glm::dvec2> mouse_;
+  std::array<bool, 5> buttons_{};
 };
 
 }  // namespace psm
