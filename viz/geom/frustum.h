@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "geom/convex_body.h"
@@ -26,15 +28,26 @@ inline ViewFrame view_frame(const glm::dvec3& eye, const glm::dvec3& forward, co
   return {eye, -glm::dvec3(row(view, 2)), glm::dvec3(row(view, 0)), glm::dvec3(row(view, 1)), tan_x, tan_y};
 }
 
-/// Side planes, then depth >= near, then depth <= far unless far is infinite. Inside: p.x >= 0.
+/// Side planes (left, right, bottom, top), then depth >= near, then depth <= far unless far is infinite. Inside: p.x >= 0.
+/// Normals are rounded once; side planes pass through the eye exactly, the others lie at their distance from it exactly.
 inline std::vector<Plane> frustum_planes(const ViewFrame& v, double near, double far) {
-  const auto through = [](const glm::dvec3& n, const glm::dvec3& p) { return Plane(n, -glm::dot(n, p)); };
-  std::vector<Plane> planes;
-  for (const double sign : {1.0, -1.0}) planes.push_back(through(v.tan_x * v.forward + sign * v.right, v.eye));
-  for (const double sign : {1.0, -1.0}) planes.push_back(through(v.tan_y * v.forward + sign * v.up, v.eye));
-  planes.push_back(through(v.forward, v.eye + near * v.forward));
-  if (!std::isinf(far)) planes.push_back(through(-v.forward, v.eye + far * v.forward));
+  const glm::dvec3 x = v.tan_x * v.forward, y = v.tan_y * v.forward;
+  std::vector<Plane> planes{
+      Plane::through(x + v.right, v.eye, 0.0, PlaneId::left), Plane::through(x - v.right, v.eye, 0.0, PlaneId::right),
+      Plane::through(y + v.up, v.eye, 0.0, PlaneId::bottom), Plane::through(y - v.up, v.eye, 0.0, PlaneId::top),
+      Plane::through(v.forward, v.eye, -near, PlaneId::near)};
+  if (!std::isinf(far)) planes.push_back(Plane::through(-v.forward, v.eye, far, PlaneId::far));
   return planes;
 }
+
+/// The square pyramid around a spot light's cone, from depth `near` on (0: the whole pyramid, its apex the light exactly).
+inline std::vector<Plane> pyramid_planes(const ViewFrame& spot, double near = 0.0) {
+  std::vector<Plane> planes = frustum_planes(spot, near, std::numeric_limits<double>::infinity());
+  for (Plane& p : planes) p.of_light = true;
+  return planes;
+}
+
+/// hull_with_light for a frustum as `frustum_planes` returns it, which may be unbounded (five planes).
+std::vector<Plane> frustum_hull_with_light(std::span<const Plane> frustum, const glm::dvec4& light);
 
 }  // namespace psm

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cutting a convex polytope by planes with exact topology. Private to viz/geom.
+//
+// Every plane is moved outwards by an infinitesimal of its own, a later plane by infinitely more than all earlier ones
+// (simulation of simplicity). So a corner that lies exactly on the cutting plane counts as inside, with no further case; three
+// planes meet in every corner; flat bodies have an inside; and a body is empty exactly when the closed half-spaces have no common
+// point. Corners that coincide are merged at the end (`to_body`).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geom/convex_body.h"
+#include "geom/exact.h"
+#include "geom/filter.h"
+
+namespace psm {
+
+class SimplePolytope {
+ public:
+  using Corner = ConvexBody::Corner;
+
+  /// The planes must outlive this object.
+  SimplePolytope(std::span<const Plane> planes, std::span<const Corner> corners, std::size_t more_planes);
+
+  bool empty() const { return live_ == 0; }
+  void cut(const Plane& plane);
+  ConvexBody to_body();
+
+ private:
+  struct Node {
+    Corner corner;
+    int side = 0;  // of the cutting plane: 1, 0, -1
+    bool live = true;
+    FilterCorner filtered;
+  };
+  /// What merging coincident corners leaves: the vertex of each node, and for each vertex the node that gives its coordinates.
+  struct Merged {
+    std::vector<int> vertex_of, node_of;
+  };
+
+  void add_plane(const Plane& plane);
+  void add_node(int slot, const Corner& corner);
+  int side(const Node& node, int plane);
+  bool classify(int plane);
+  int new_node(const Corner& corner);
+  void cut_edges_of(int node, int plane);
+  void join(int facet, int node, int slot);
+  void remove_outside();
+
+  Merged merge_corners();
+  std::vector<int> facet_loop(int node, int facet, const std::vector<int>& vertex_of) const;
+  void add_facets(ConvexBody& body, const Merged& merged) const;
+  void keep_simple(ConvexBody& body) const;
+  glm::dvec3 vertex(const Node& node);
+
+  std::vector<const Plane*> planes_;
+  std::vector<FilterPlane> filters_;
+  std::vector<Node> nodes_;
+  std::vector<int> free_, open_;  // unused nodes; for each facet, the new node that waits for its partner (node * 3 + slot)
+  int live_ = 0;
+  SharedParts shared_;
+  ExactPlanes exact_;
+  Decisions decisions_;
+};
+
+}  // namespace psm
