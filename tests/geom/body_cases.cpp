@@ -163,17 +163,18 @@ std::vector<BodyCase> random_cases(int count, unsigned seed) {
     BodyCase c;
     c.name = "random " + std::to_string(i);
     const dvec3 forward = vector(), up = vector();
-    const dvec3 eye = 30.0 * vector();
+    const dvec3 eye = 20.0 * vector();
     const double tan_y = uniform(0.2, 1.0);
     c.view = view_frame(eye, forward, up, 16.0 / 9.0 * tan_y, tan_y);
     c.near = uniform(0.1, 2);
     c.far = c.near * std::pow(10.0, uniform(1, 3));
-    const dvec3 a = 60.0 * vector(), b = 60.0 * vector();
-    c.min = glm::min(a, b) - dvec3(5);
-    c.max = glm::max(a, b) + dvec3(5);
+    // Three boxes in four stand around the camera; the others may lie anywhere.
+    const dvec3 a = vector(), b = vector(), middle = i % 4 ? dvec3(0) : 60.0 * vector();
+    c.min = middle - dvec3(10) - 50.0 * glm::abs(a);
+    c.max = middle + dvec3(10) + 50.0 * glm::abs(b);
     c.light = i % 2 ? dvec4(vector(), 0) : dvec4(80.0 * vector(), 1);
     const dvec3 axis = vector();
-    if (i % 4 == 2) c.spot = view_frame(dvec3(c.light), axis, up, uniform(0.5, 2), 1.0);
+    if (i % 6 == 4) c.spot = view_frame(dvec3(c.light), axis, up, uniform(0.5, 2), 1.0);
     out.push_back(c);
   }
   return out;

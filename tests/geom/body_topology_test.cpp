@@ -92,6 +92,7 @@ void expect_exact(const ConvexBody& body, std::span<const Plane> planes) {
   EXPECT_EQ(vertex_facets(body, planes, oracle), oracle.vertex_facets);
   const double size = size_of(oracle.vertices);
   EXPECT_LE(distance(body.vertices, oracle.vertices), 4e-12 * size);
+  EXPECT_NEAR(body.volume(), exact_volume(body), 1e-11 * size * size * size);
   expect_sphere(body);
 }
 
@@ -242,6 +243,32 @@ TEST(BodyTopology, DimensionsOfTouchingBoxes) {
   EXPECT_EQ(box_body({0, 0, 0}, {1, 0, 0}).vertices.size(), 2u);
   EXPECT_EQ(box_body({3, 4, 5}, {3, 4, 5}).vertices, std::vector<dvec3>{dvec3(3, 4, 5)});
   EXPECT_TRUE(box_body({0, 1, 0}, {1, 0, 1}).empty());
+}
+
+/// The hull of a flat body with a light that keeps it flat: no edge to take a silhouette from.
+TEST(BodyTopology, HullsOfPointsSegmentsAndPolygons) {
+  const ConvexBody room = box_body(dvec3(-10), dvec3(10));
+  const auto hull = [&](const dvec3& min, const dvec3& max, const dvec4& light) {
+    const ConvexBody flat = box_body(min, max);
+    return clip(room, hull_with_light(flat, light));
+  };
+  const auto expect = [](const ConvexBody& body, int dimension, const std::vector<dvec3>& vertices) {
+    EXPECT_EQ(body.dimension, dimension);
+    EXPECT_EQ(body.vertices.size(), vertices.size());
+    EXPECT_EQ(distance(vertices, body.vertices), 0.0);
+  };
+  const dvec3 p(1, 2, 3);
+  expect(hull(p, p, {4, 2, 3, 1}), 1, {p, {4, 2, 3}});
+  expect(hull(p, p, {4, 3, 5, 1}), 1, {p, {4, 3, 5}});
+  expect(hull(p, p, {p, 1}), 0, {p});
+  expect(hull(p, p, {0, 1, 0, 0}), 1, {p, {1, 10, 3}});
+  expect(hull(p, p, {-1, 1, 1, 0}), 1, {p, {-6, 9, 10}});
+  expect(hull({-1, 2, 3}, p, {4, 2, 3, 1}), 1, {{-1, 2, 3}, {4, 2, 3}});
+  expect(hull({-1, 2, 3}, p, {0, 2, 3, 1}), 1, {{-1, 2, 3}, p});
+  expect(hull({-1, 2, 3}, p, {0, 5, 6, 1}), 2, {{-1, 2, 3}, p, {0, 5, 6}});
+  expect(hull({-1, 2, 3}, p, {0, 0, -1, 0}), 2, {{-1, 2, 3}, p, {-1, 2, -10}, {1, 2, -10}});
+  expect(hull({-1, 2, -1}, {1, 2, 1}, {3, 2, 0, 1}), 2, {{-1, 2, -1}, {1, 2, -1}, {3, 2, 0}, {1, 2, 1}, {-1, 2, 1}});
+  expect(hull({-1, 2, -1}, {1, 2, 1}, {0, 5, 0, 1}), 3, {{-1, 2, -1}, {1, 2, -1}, {1, 2, 1}, {-1, 2, 1}, {0, 5, 0}});
 }
 
 TEST(BodyTopology, FacetsKnowTheirPlanes) {

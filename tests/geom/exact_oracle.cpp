@@ -4,6 +4,7 @@
 #include <CGAL/Gmpzf.h>
 
 #include <array>
+#include <cmath>
 
 namespace psm {
 namespace {
@@ -92,6 +93,15 @@ std::vector<Four> vertices_of(const std::vector<Four>& planes) {
   return found;
 }
 
+/// The point of the first three planes that have just one.
+Four corner_of(const std::vector<Four>& planes) {
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    for (std::size_t j = i + 1; j < planes.size(); ++j)
+      for (std::size_t k = j + 1; k < planes.size(); ++k)
+        if (const Four x = cross(planes[i], planes[j], planes[k]); x[3] != 0) return x;
+  return {Number(0), Number(0), Number(0), Number(1)};
+}
+
 }  // namespace
 
 OracleBody exact_intersection(std::span<const Plane> planes) {
@@ -120,6 +130,23 @@ OracleBody exact_intersection(std::span<const Plane> planes) {
   }
   body.vertex_facets = {facets.begin(), facets.end()};
   return body;
+}
+
+double exact_volume(const ConvexBody& body) {
+  if (body.dimension < 3) return 0;
+  std::vector<std::vector<Four>> planes(body.vertices.size());
+  for (std::size_t f = 0; f < body.facets.size(); ++f)
+    for (const int v : body.facets[f]) planes[v].push_back(exact(body.planes[f]));
+  std::vector<Four> points;
+  for (const auto& p : planes) points.push_back(corner_of(p));
+  double sum = 0;  // of positive terms
+  for (const auto& f : body.facets)
+    for (std::size_t k = 1; k + 1 < f.size(); ++k) {
+      const Four &o = points[0], &a = points[f[0]], &b = points[f[k]], &c = points[f[k + 1]];
+      const double weights = o[3].to_double() * a[3].to_double() * b[3].to_double() * c[3].to_double();
+      sum += std::abs(at(cross(o, a, b), c).to_double() / weights);
+    }
+  return sum / 6;
 }
 
 }  // namespace psm

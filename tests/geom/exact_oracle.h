@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/plane.h"
+#include "geom/convex_body.h"
 
 namespace psm {
 
@@ -22,5 +22,8 @@ struct OracleBody {
 
 /// The half-spaces' intersection must be bounded.
 OracleBody exact_intersection(std::span<const Plane> planes);
+
+/// The volume from the exact planes and the body's topology, rounded once.
+double exact_volume(const ConvexBody& body);
 
 }  // namespace psm
