@@ -8,6 +8,7 @@ WayBody way_exact(const BodyCase& c) {
   WayBody out;
   out.vertices = body.vertices;
   for (const auto& f : body.facets) out.facet_sizes.push_back(int(f.size()));
+  if (body.dimension == 2) out.facet_sizes.pop_back();
   out.volume = body.volume();
   return out;
 }

@@ -8,7 +8,7 @@
 
 namespace psm {
 
-/// What a way returns: enough to compare topology and coordinates. Facet sizes are sorted.
+/// What a way returns: enough to compare topology and coordinates. A flat body has one facet.
 struct WayBody {
   bool failed = false;  // threw, or found no way to begin
   std::vector<glm::dvec3> vertices;
@@ -23,8 +23,5 @@ WayBody way_double_clipper(const BodyCase& c);    // doubles and a tolerance
 WayBody way_epick_halfspaces(const BodyCase& c);  // CGAL half-space intersection, EPICK, near-equal planes merged
 WayBody way_epeck_halfspaces(const BodyCase& c);  // the same in exact constructions, planes exact
 WayBody way_nef(const BodyCase& c);               // CGAL Nef polyhedra of convex hulls (EPECK), as in the 2002 paper
-
-/// What every way may know: the case's planes, and a point well inside their intersection (false: there is none).
-bool interior_point(const std::vector<Plane>& planes, glm::dvec3& point);
 
 }  // namespace psm
