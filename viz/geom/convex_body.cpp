@@ -67,11 +67,11 @@ ConvexBody box_body(const glm::dvec3& min, const glm::dvec3& max) {
                            {0, 0, 1, -min.z, PlaneId::min_z}, {0, 0, -1, max.z, PlaneId::max_z}};
   ConvexBody::Corner corners[8];
   for (int i = 0; i < 8; ++i) corners[i] = box_corner(i);
-  return SimplePolytope(planes, corners, 0).to_body();
+  return SimplePolytope(planes, corners).to_body();
 }
 
 ConvexBody clip(const ConvexBody& body, std::span<const Plane> planes) {
-  SimplePolytope polytope(body.simple_planes, body.simple_corners, planes.size());
+  SimplePolytope polytope(body.planes, body.corners);
   for (const Plane& p : planes) polytope.cut(p);
   return polytope.to_body();
 }

@@ -21,7 +21,7 @@ struct Decisions {
 
 /// A bounded convex polytope of dimension 3, 2 (flat: two opposite facets), 1 (a segment: no facet), 0 (a point) or -1 (empty: no
 /// vertex). It is the intersection of `planes`. Facet i lies on planes[i]; its corners are counter-clockwise seen from outside.
-/// A body of dimension 0 to 2 has further planes without a facet.
+/// Planes past the last facet's touch the body in an edge or a point; a body of dimension 0 to 2 is bounded by them.
 struct ConvexBody {
   std::vector<Plane> planes;
   std::vector<glm::dvec3> vertices;
@@ -29,13 +29,13 @@ struct ConvexBody {
   int dimension = -1;
   Decisions decisions;  // of the operation that returned this body
 
-  /// The same polytope with every plane moved outwards by its own infinitesimal: three planes meet in each corner, and next[k] is
-  /// the corner at the other end of the edge that leaves plane[k]. Normals are positively oriented in the order of `plane`.
+  /// What further cuts start from: the same polytope with every plane moved outwards by its own infinitesimal: three planes meet
+  /// in each corner, and next[k] is the corner at the other end of the edge that leaves plane[k]. Normals are positively oriented
+  /// in the order of `plane`.
   struct Corner {
     std::array<int, 3> plane, next;
   };
-  std::vector<Plane> simple_planes;
-  std::vector<Corner> simple_corners;
+  std::vector<Corner> corners;
 
   bool empty() const { return vertices.empty(); }
   double volume() const;        // 0 unless the dimension is 3

@@ -8,9 +8,10 @@
 namespace psm {
 namespace {
 
-/// A power of two that brings the normal's largest component into [1, 2).
+/// A power of two that brings the normal's largest component into [1, 2), where it is far from that.
 double scale_of(const glm::dvec4& p) {
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  if (largest > 0x1p-20 && largest < 0x1p20) return 1.0;
   if (!(largest > 0) || !std::isfinite(largest)) return 1.0;
   return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1000, 1000));
 }

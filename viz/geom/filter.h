@@ -10,15 +10,15 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <vector>
 
+#include "geom/inline_vector.h"
 #include "geom/plane.h"
 
 namespace psm {
 
 constexpr double kRoundingUnit = 1.1102230246251565e-16;
 
-/// Scaled by a power of two, so that products neither overflow nor sink below the constant in `side_bound`.
+/// Scaled by a power of two where products might overflow or sink below the constant in `side_bound`.
 struct FilterPlane {
   glm::dvec4 value{0.0}, magnitude{0.0};
   std::uint64_t generators = 0;  // the one or two planes that span this one, as bits
@@ -50,8 +50,8 @@ class SharedParts {
   std::uint64_t point_bit(const glm::dvec3& point);
   std::uint64_t points_of(const Plane& plane);
 
-  std::vector<const Plane*> generators_;
-  std::vector<glm::dvec3> points_;
+  InlineVector<const Plane*, 64> generators_;
+  InlineVector<glm::dvec3, 16> points_;
 };
 
 /// True if four planes are known to meet in one point: all pass through one known point, or at most three planes span them.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geom/convex_body.h"
@@ -32,10 +33,12 @@ inline ViewFrame view_frame(const glm::dvec3& eye, const glm::dvec3& forward, co
 /// Normals are rounded once; side planes pass through the eye exactly, the others lie at their distance from it exactly.
 inline std::vector<Plane> frustum_planes(const ViewFrame& v, double near, double far) {
   const glm::dvec3 x = v.tan_x * v.forward, y = v.tan_y * v.forward;
-  std::vector<Plane> planes{
-      Plane::through(x + v.right, v.eye, 0.0, PlaneId::left), Plane::through(x - v.right, v.eye, 0.0, PlaneId::right),
-      Plane::through(y + v.up, v.eye, 0.0, PlaneId::bottom), Plane::through(y - v.up, v.eye, 0.0, PlaneId::top),
-      Plane::through(v.forward, v.eye, -near, PlaneId::near)};
+  const std::pair<glm::dvec3, PlaneId> sides[] = {
+      {x + v.right, PlaneId::left}, {x - v.right, PlaneId::right}, {y + v.up, PlaneId::bottom}, {y - v.up, PlaneId::top}};
+  std::vector<Plane> planes;
+  planes.reserve(6);
+  for (const auto& [normal, id] : sides) planes.push_back(Plane::through(normal, v.eye, 0.0, id));
+  planes.push_back(Plane::through(v.forward, v.eye, -near, PlaneId::near));
   if (!std::isinf(far)) planes.push_back(Plane::through(-v.forward, v.eye, far, PlaneId::far));
   return planes;
 }

@@ -5,18 +5,18 @@
 #include "geom/convex_body.h"
 #include "geom/exact.h"
 #include "geom/frustum.h"
+#include "geom/inline_vector.h"
 
 namespace psm {
 namespace {
 
-std::vector<int> sides_of(std::span<const Plane> planes, const glm::dvec4& light) {
-  std::vector<int> sides;
-  sides.reserve(planes.size());
+using Sides = InlineVector<int, 64>;
+
+void add_sides(Sides& sides, std::span<const Plane> planes, const glm::dvec4& light) {
   for (const Plane& p : planes) sides.push_back(exact_side(p, light));
-  return sides;
 }
 
-std::vector<Plane> kept_planes(std::span<const Plane> planes, std::span<const int> sides) {
+std::vector<Plane> kept_planes(std::span<const Plane> planes, const Sides& sides) {
   std::vector<Plane> hull;
   hull.reserve(2 * planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i)
@@ -32,7 +32,8 @@ bool makes_silhouette(int i, int j) { return i > 0 && j < 0; }
 std::vector<Plane> hull_of_flat(const ConvexBody& body, const glm::dvec4& light) {
   std::vector<Plane> planes = body.planes;
   if (light.w > 0) planes.emplace_back(0.0, 0.0, 0.0, 1.0, PlaneId::infinity);
-  const std::vector<int> sides = sides_of(planes, light);
+  Sides sides;
+  add_sides(sides, planes, light);
   std::vector<Plane> hull = kept_planes({planes.data(), body.planes.size()}, sides);
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (std::size_t j = 0; j < planes.size(); ++j) {
@@ -43,31 +44,26 @@ std::vector<Plane> hull_of_flat(const ConvexBody& body, const glm::dvec4& light)
   return hull;
 }
 
-/// The facet to the left of each directed edge, as a square table; -1: no such edge.
-std::vector<int> facet_beside(const ConvexBody& body) {
-  const std::size_t n = body.vertices.size();
-  std::vector<int> facet(n * n, -1);
-  for (std::size_t i = 0; i < body.facets.size(); ++i) {
-    const std::vector<int>& f = body.facets[i];
-    for (std::size_t k = 0; k < f.size(); ++k) facet[f[k] * n + f[k + 1 < f.size() ? k + 1 : 0]] = int(i);
-  }
-  return facet;
-}
-
 }  // namespace
 
 std::vector<Plane> hull_with_light(const ConvexBody& body, const glm::dvec4& light) {
   assert(light.w == 0 || light.w == 1);
   if (body.dimension < 3) return hull_of_flat(body, light);
-  const std::vector<int> sides = sides_of(body.planes, light);
-  std::vector<Plane> hull = kept_planes(body.planes, sides);
-  const std::vector<int> facet = facet_beside(body);
+  const std::span<const Plane> planes(body.planes.data(), body.facets.size());
+  Sides sides;
+  add_sides(sides, planes, light);
+  std::vector<Plane> hull = kept_planes(planes, sides);
+  // The facet to the left of each directed edge, as a square table; -1: no such edge.
   const std::size_t n = body.vertices.size();
+  InlineVector<int, 576> facet(n * n, -1);
+  for (std::size_t i = 0; i < body.facets.size(); ++i) {
+    const std::vector<int>& f = body.facets[i];
+    for (std::size_t k = 0; k < f.size(); ++k) facet[f[k] * n + f[k + 1 < f.size() ? k + 1 : 0]] = int(i);
+  }
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = 0; b < n; ++b) {
       const int i = facet[a * n + b], j = facet[b * n + a];
-      if (i >= 0 && makes_silhouette(sides[i], sides[j]))
-        hull.push_back(Plane::silhouette(body.planes[i], body.planes[j], light));
+      if (i >= 0 && makes_silhouette(sides[i], sides[j])) hull.push_back(Plane::silhouette(planes[i], planes[j], light));
     }
   return hull;
 }
@@ -76,7 +72,8 @@ std::vector<Plane> frustum_hull_with_light(std::span<const Plane> frustum, const
   assert(frustum.size() == 5 || frustum.size() == 6);
   std::vector<Plane> planes(frustum.begin(), frustum.end());
   if (planes.size() == 5) planes.emplace_back(0.0, 0.0, 0.0, 1.0, PlaneId::infinity);
-  const std::vector<int> sides = sides_of(planes, light);
+  Sides sides;
+  add_sides(sides, planes, light);
   std::vector<Plane> hull = kept_planes(frustum, sides);
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)

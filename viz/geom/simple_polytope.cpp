@@ -7,13 +7,7 @@
 
 namespace psm {
 
-SimplePolytope::SimplePolytope(std::span<const Plane> planes, std::span<const Corner> corners, std::size_t more_planes) {
-  const std::size_t expected = planes.size() + more_planes;
-  planes_.reserve(expected);
-  filters_.reserve(expected);
-  open_.reserve(expected);
-  nodes_.reserve(2 * expected + corners.size());
-  free_.reserve(nodes_.capacity());
+SimplePolytope::SimplePolytope(std::span<const Plane> planes, std::span<const Corner> corners) {
   for (const Plane& p : planes) add_plane(p);
   for (const Corner& c : corners) new_node(c);
 }
@@ -26,18 +20,16 @@ void SimplePolytope::add_plane(const Plane& plane) {
 }
 
 int SimplePolytope::new_node(const Corner& corner) {
+  const auto filter_of = [&](int k) -> const FilterPlane& { return filters_[corner.plane[k]]; };
+  const Node made{corner, 1, true, filter_corner(filter_of(0), filter_of(1), filter_of(2))};
   int index = int(nodes_.size());
   if (free_.empty()) {
-    nodes_.emplace_back();
+    nodes_.push_back(made);
   } else {
     index = free_.back();
     free_.pop_back();
+    nodes_[index] = made;
   }
-  Node& n = nodes_[index];
-  n.corner = corner;
-  n.live = true;
-  n.side = 1;
-  n.filtered = filter_corner(filters_[corner.plane[0]], filters_[corner.plane[1]], filters_[corner.plane[2]]);
   ++live_;
   return index;
 }
@@ -55,7 +47,7 @@ int SimplePolytope::side(const Node& node, int plane) {
     return 0;
   }
   ++decisions_.exact;
-  return exact_.side(planes_, c, plane);
+  return exact_.side({planes_.data(), planes_.size()}, c, plane);
 }
 
 /// Finds the side of every corner; true if some lie outside.

@@ -8,11 +8,11 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "geom/convex_body.h"
 #include "geom/exact.h"
 #include "geom/filter.h"
+#include "geom/inline_vector.h"
 
 namespace psm {
 
@@ -21,7 +21,7 @@ class SimplePolytope {
   using Corner = ConvexBody::Corner;
 
   /// The planes must outlive this object.
-  SimplePolytope(std::span<const Plane> planes, std::span<const Corner> corners, std::size_t more_planes);
+  SimplePolytope(std::span<const Plane> planes, std::span<const Corner> corners);
 
   bool empty() const { return live_ == 0; }
   void cut(const Plane& plane);
@@ -30,17 +30,18 @@ class SimplePolytope {
  private:
   struct Node {
     Corner corner;
-    int side = 0;  // of the cutting plane: 1, 0, -1
-    bool live = true;
+    int side;  // of the cutting plane: 1, 0, -1
+    bool live;
     FilterCorner filtered;
   };
+  static constexpr std::size_t kPlanes = 32, kNodes = 64;  // past these the heap is used
+  using Indices = InlineVector<int, kNodes>;
   /// What merging coincident corners leaves: the vertex of each node, and for each vertex the node that gives its coordinates.
   struct Merged {
-    std::vector<int> vertex_of, node_of;
+    Indices vertex_of, node_of;
   };
 
   void add_plane(const Plane& plane);
-  void add_node(int slot, const Corner& corner);
   int side(const Node& node, int plane);
   bool classify(int plane);
   int new_node(const Corner& corner);
@@ -48,16 +49,17 @@ class SimplePolytope {
   void join(int facet, int node, int slot);
   void remove_outside();
 
-  Merged merge_corners();
-  std::vector<int> facet_loop(int node, int facet, const std::vector<int>& vertex_of) const;
+  void merge_corners(Merged& merged);
+  std::vector<int> facet_loop(int node, int facet, const Merged& merged) const;
   void add_facets(ConvexBody& body, const Merged& merged) const;
-  void keep_simple(ConvexBody& body) const;
-  glm::dvec3 vertex(const Node& node);
+  void keep_corners(ConvexBody& body, const Indices& plane_at) const;
+  std::vector<glm::dvec3> coordinates(const Merged& merged);
 
-  std::vector<const Plane*> planes_;
-  std::vector<FilterPlane> filters_;
-  std::vector<Node> nodes_;
-  std::vector<int> free_, open_;  // unused nodes; for each facet, the new node that waits for its partner (node * 3 + slot)
+  InlineVector<const Plane*, kPlanes> planes_;
+  InlineVector<FilterPlane, kPlanes> filters_;
+  InlineVector<Node, kNodes> nodes_;
+  Indices free_;                     // unused nodes
+  InlineVector<int, kPlanes> open_;  // for each facet, the new node that waits for its partner: node * 3 + slot
   int live_ = 0;
   SharedParts shared_;
   ExactPlanes exact_;

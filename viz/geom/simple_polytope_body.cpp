@@ -2,14 +2,16 @@
 // From the simple polytope to the body: coincident corners become one vertex, facets that shrank to an edge or a point go, and
 // coordinates are rounded.
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
+#include "geom/refine.h"
 #include "geom/simple_polytope.h"
 
 namespace psm {
 namespace {
 
-int root_of(std::vector<int>& parent, int i) {
+template <class Indices>
+int root_of(Indices& parent, int i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
 }
@@ -18,6 +20,8 @@ int position_of(const ConvexBody::Corner& c, int plane) { return c.plane[0] == p
 
 /// Large where the three planes cut each other cleanly.
 double quality(const FilterCorner& c) { return c.value.w / c.magnitude.w; }
+
+double largest_of(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 int dimension_of(std::size_t vertices, std::size_t facets) {
   if (vertices < 3) return int(vertices) - 1;
@@ -28,19 +32,17 @@ int dimension_of(std::size_t vertices, std::size_t facets) {
 
 /// The corners that coincide are joined by edges of length zero: the ends of an edge coincide when one lies on the plane that the
 /// edge leaves at the other.
-SimplePolytope::Merged SimplePolytope::merge_corners() {
+void SimplePolytope::merge_corners(Merged& merged) {
   const int count = int(nodes_.size());
-  std::vector<int> parent(count);
-  std::iota(parent.begin(), parent.end(), 0);
+  Indices parent;
+  for (int i = 0; i < count; ++i) parent.push_back(i);
   for (int i = 0; i < count; ++i) {
     if (!nodes_[i].live) continue;
     const Corner& c = nodes_[i].corner;
     for (int k = 0; k < 3; ++k)
       if (c.next[k] > i && side(nodes_[c.next[k]], c.plane[k]) == 0) parent[root_of(parent, i)] = root_of(parent, c.next[k]);
   }
-  Merged merged;
-  merged.vertex_of.assign(count, -1);
-  merged.node_of.reserve(live_);
+  merged.vertex_of.resize(count, -1);
   for (int i = 0; i < count; ++i) {
     if (!nodes_[i].live) continue;
     int& vertex = merged.vertex_of[root_of(parent, i)];
@@ -52,89 +54,98 @@ SimplePolytope::Merged SimplePolytope::merge_corners() {
     int& best = merged.node_of[vertex];
     if (quality(nodes_[i].filtered) > quality(nodes_[best].filtered)) best = i;
   }
-  return merged;
 }
 
 /// The facet's vertices, counter-clockwise from outside: at each corner along the edge that leaves the plane before the facet's.
-std::vector<int> SimplePolytope::facet_loop(int node, int facet, const std::vector<int>& vertex_of) const {
-  std::vector<int> loop;
-  loop.reserve(8);
+std::vector<int> SimplePolytope::facet_loop(int node, int facet, const Merged& merged) const {
+  InlineVector<int, 32> loop;
   int at = node;
   do {
-    if (loop.empty() || loop.back() != vertex_of[at]) loop.push_back(vertex_of[at]);
+    const int v = merged.vertex_of[at];
+    if (loop.empty() || loop.back() != v) loop.push_back(v);
     const Corner& c = nodes_[at].corner;
     at = c.next[(position_of(c, facet) + 2) % 3];
   } while (at != node);
-  if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
-  return loop;
+  if (loop.size() > 1 && loop[0] == loop.back()) loop.pop_back();
+  if (loop.size() < 3) return {};
+  return {loop.begin(), loop.end()};
 }
 
+/// The planes with facets come first, then those whose facets shrank to an edge or a point.
 void SimplePolytope::add_facets(ConvexBody& body, const Merged& merged) const {
-  std::vector<int> start(planes_.size(), -1);
-  for (int i = 0; i < int(nodes_.size()); ++i)
+  Indices start(planes_.size(), -1), plane_at(planes_.size(), -1), without_facet;
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
     if (nodes_[i].live)
-      for (const int p : nodes_[i].corner.plane) start[p] = i;
-  std::vector<int> without_facet;
-  body.planes.reserve(planes_.size());
-  body.facets.reserve(planes_.size());
+      for (const int p : nodes_[i].corner.plane) used += std::exchange(start[p], int(i)) < 0;
+  const auto add = [&](int p) {
+    plane_at[p] = int(body.planes.size());
+    body.planes.push_back(*planes_[p]);
+  };
+  body.planes.reserve(used);
+  body.facets.reserve(used);
   for (int p = 0; p < int(planes_.size()); ++p) {
     if (start[p] < 0) continue;
-    std::vector<int> loop = facet_loop(start[p], p, merged.vertex_of);
-    if (loop.size() < 3) {
+    std::vector<int> loop = facet_loop(start[p], p, merged);
+    if (loop.empty()) {
       without_facet.push_back(p);
-      continue;
+    } else {
+      body.facets.push_back(std::move(loop));
+      add(p);
     }
-    body.facets.push_back(std::move(loop));
-    body.planes.push_back(*planes_[p]);
   }
+  for (const int p : without_facet) add(p);
   body.dimension = dimension_of(body.vertices.size(), body.facets.size());
-  if (body.dimension < 3)
-    for (const int p : without_facet) body.planes.push_back(*planes_[p]);
+  keep_corners(body, plane_at);
 }
 
-/// The corners and the planes that still meet in one, renumbered.
-void SimplePolytope::keep_simple(ConvexBody& body) const {
-  std::vector<int> plane_at(planes_.size(), -1), corner_at(nodes_.size(), -1);
+/// The corners, renumbered. Which infinitesimal was larger no longer matters: those of later cuts are larger than all of these.
+void SimplePolytope::keep_corners(ConvexBody& body, const Indices& plane_at) const {
+  Indices corner_at(nodes_.size(), -1);
   int corners = 0;
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (!nodes_[i].live) continue;
-    corner_at[i] = corners++;
-    for (const int p : nodes_[i].corner.plane) plane_at[p] = 0;
-  }
-  body.simple_planes.reserve(planes_.size());
-  for (std::size_t p = 0; p < planes_.size(); ++p) {
-    if (plane_at[p] < 0) continue;
-    plane_at[p] = int(body.simple_planes.size());
-    body.simple_planes.push_back(*planes_[p]);
-  }
-  body.simple_corners.reserve(corners);
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (nodes_[i].live) corner_at[i] = corners++;
+  body.corners.reserve(corners);
   for (const Node& n : nodes_) {
     if (!n.live) continue;
     Corner c = n.corner;
     for (int k = 0; k < 3; ++k) c.plane[k] = plane_at[c.plane[k]], c.next[k] = corner_at[c.next[k]];
-    body.simple_corners.push_back(c);
+    body.corners.push_back(c);
   }
 }
 
-/// The quotient of doubles where its error bound is near the rounding of the coordinates' own size, else the exact quotient.
-glm::dvec3 SimplePolytope::vertex(const Node& node) {
-  const glm::dvec4 &v = node.filtered.value, &m = node.filtered.magnitude;
-  const glm::dvec3 x = glm::dvec3(v) / v.w;
-  const glm::dvec3 size = glm::abs(x);
-  const double relative = std::max({size.x, size.y, size.z});
-  const glm::dvec3 bound = 64 * kRoundingUnit * (glm::dvec3(m) + size * m.w) / v.w;
-  if (std::max({bound.x, bound.y, bound.z}) <= 1e-12 * relative) return x;
-  return exact_.vertex(planes_, node.corner.plane);
+/// Quotients of doubles, where their error bound is not small beside the body's largest coordinate refined once, and where even
+/// the normals' determinant is in doubt exact quotients.
+std::vector<glm::dvec3> SimplePolytope::coordinates(const Merged& merged) {
+  std::vector<glm::dvec3> out;
+  out.reserve(merged.node_of.size());
+  InlineVector<double, kNodes> bounds;
+  double largest = 0;
+  for (const int i : merged.node_of) {
+    const glm::dvec4 &v = nodes_[i].filtered.value, &m = nodes_[i].filtered.magnitude;
+    out.push_back(glm::dvec3(v) / v.w);
+    const double size = largest_of(glm::abs(out.back()));
+    bounds.push_back(64 * kRoundingUnit * (largest_of(glm::dvec3(m)) + size * m.w) / v.w);
+    largest = std::max(largest, size);
+  }
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    if (bounds[k] <= 2e-13 * largest) continue;
+    const Node& n = nodes_[merged.node_of[k]];
+    const auto& c = n.corner.plane;
+    const bool close = bounds[k] <= 1e-6 * largest && kRoundingUnit * n.filtered.magnitude.w <= 1e-8 * n.filtered.value.w;
+    out[k] = close ? refined({planes_[c[0]], planes_[c[1]], planes_[c[2]]}, out[k])
+                   : exact_.vertex({planes_.data(), planes_.size()}, c);
+  }
+  return out;
 }
 
 ConvexBody SimplePolytope::to_body() {
   ConvexBody body;
   if (!empty()) {
-    const Merged merged = merge_corners();
-    body.vertices.reserve(merged.node_of.size());
-    for (const int i : merged.node_of) body.vertices.push_back(vertex(nodes_[i]));
+    Merged merged;
+    merge_corners(merged);
+    body.vertices = coordinates(merged);
     add_facets(body, merged);
-    keep_simple(body);
   }
   body.decisions = decisions_;
   return body;
