@@ -43,17 +43,13 @@ void add_curves(CLI::App& app, CurvesText& curves) {
   app.add_option("--techniques", curves.techniques,
                  "Comma-separated list of SSM, LISPSM, LISPSM_GENERAL, GLPR, GMNPR, GMNPR_EQ4, MINIMAX, MINIMAX_FRUSTUM; "
                  "without it, all but the last")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+      ->type_name("LIST");
 }
 
 void add_render(CLI::App& app, RenderArguments& render) {
   add_experiment(app, render.experiment);
   app.add_option("--view", render.views, "Comma-separated list of world, cube, map, eye; without it, all four")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+      ->type_name("LIST");
   app.add_option("--out", render.out, "The picture to write; several views share it in two columns")
       ->type_name("FILE.png")
       ->required();

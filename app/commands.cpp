@@ -47,14 +47,14 @@ Result<LoadedExperiment> load(const ExperimentArguments& arguments) {
   return load_experiment(arguments.source.value_or(""), arguments.overrides);
 }
 
-Result<std::vector<ViewId>> parse_views(const std::vector<std::string>& names) {
+Result<std::vector<ViewId>> parse_views(const std::optional<std::string>& names) {
   std::vector<ViewId> views;
-  for (const std::string& name : names) {
+  if (!names) views.assign(std::begin(kAllViews), std::end(kAllViews));
+  for (const std::string& name : names ? split(*names, ',') : std::vector<std::string>()) {
     const auto found = std::find_if(std::begin(kAllViews), std::end(kAllViews), [&](ViewId id) { return name == name_of(id); });
     if (found == std::end(kAllViews)) return not_allowed("--view", name, "a list of: world, cube, map, eye");
     views.push_back(*found);
   }
-  if (views.empty()) views.assign(std::begin(kAllViews), std::end(kAllViews));
   if (views.size() > 16) return InputError{"--view: " + std::to_string(views.size()) + " views; allowed: up to 16"};
   return views;
 }
@@ -66,12 +66,11 @@ Result<glm::ivec2> check_size(double width, double height, const std::string& sh
   return glm::ivec2(int(width), int(height));
 }
 
-Result<glm::ivec2> parse_size(const std::string& text, const ImageSettings& image) {
-  if (text.empty())
-    return check_size(image.width, image.height, std::to_string(image.width) + "x" + std::to_string(image.height));
-  const std::vector<std::string> sides = split(text, 'x');
+Result<glm::ivec2> parse_size(const std::optional<std::string>& text, const ImageSettings& image) {
+  if (!text) return check_size(image.width, image.height, std::to_string(image.width) + "x" + std::to_string(image.height));
+  const std::vector<std::string> sides = split(*text, 'x');
   const auto width = number_from_argument(sides[0]), height = number_from_argument(sides.back());
-  return check_size(sides.size() == 2 ? width.value_or(0) : 0, height.value_or(0), text);
+  return check_size(sides.size() == 2 ? width.value_or(0) : 0, height.value_or(0), *text);
 }
 
 Result<RenderRequest> parse_request(const RenderArguments& arguments, const ImageSettings& image) {

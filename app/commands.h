@@ -18,8 +18,10 @@ struct ExperimentArguments {
 
 struct RenderArguments {
   ExperimentArguments experiment;
-  std::vector<std::string> views;
-  std::string out, size, scale = "1", theme = "light";
+  std::optional<std::string> views;  // none: all four
+  std::string out;
+  std::optional<std::string> size;  // none: the experiment's image
+  std::string scale = "1", theme = "light";
 };
 
 int show_window(const ExperimentArguments& arguments);

@@ -54,10 +54,10 @@ std::optional<Warp> warp_from_name(const std::string& name) {
   return std::nullopt;
 }
 
-Result<std::vector<Warp>> parse_techniques(const std::vector<std::string>& names) {
-  if (names.empty()) return std::vector<Warp>(kAll, kAll + kDefaultCount);
+Result<std::vector<Warp>> parse_techniques(const std::optional<std::string>& names) {
+  if (!names) return std::vector<Warp>(kAll, kAll + kDefaultCount);
   std::vector<Warp> warps;
-  for (const std::string& name : names) {
+  for (const std::string& name : split(*names, ',')) {
     const auto warp = warp_from_name(name);
     std::string allowed = "any of:";
     for (const Warp w : kAll) allowed += " " + std::string(csv_name(w));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace psm {
 /// As typed: everything is text until parse_curves has checked it.
 struct CurvesText {
   std::string n, f, phi_deg, theta_deg;
-  std::vector<std::string> techniques;  // none: those of the papers
+  std::optional<std::string> techniques;  // none: those of the papers
 };
 
 struct Curves {

@@ -47,21 +47,19 @@ Result<RenderLayout> lay_out(const RenderRequest& request) {
   RenderLayout layout;
   const int count = int(request.views.size()), columns = count > 1 ? 2 : 1, rows = (count + columns - 1) / columns;
   if (count > 1) {
-    layout.caption_height = int(std::lround(28 * request.scale));
+    layout.status_height = int(std::lround(28 * request.scale));
     layout.gap = std::max(1, int(std::lround(4 * request.scale)));
   }
-  const int status_height = layout.caption_height;
-  layout.tile.x = (request.size.x - (columns + 1) * layout.gap) / columns;
-  layout.tile.y = (request.size.y - status_height - rows * (layout.caption_height + layout.gap)) / rows;
+  layout.tile.x = (request.size.x - (columns - 1) * layout.gap) / columns;
+  layout.tile.y = (request.size.y - layout.status_height - (rows - 1) * layout.gap) / rows;
   const int smallest = count > 1 ? kSmallestTile : 1;
   if (layout.tile.x < smallest || layout.tile.y < smallest)
     return InputError{"--size: " + std::to_string(request.size.x) + "x" + std::to_string(request.size.y) + " is too small for " +
                       std::to_string(count) + " views; allowed: at least " +
-                      std::to_string(columns * smallest + (columns + 1) * layout.gap) + "x" +
-                      std::to_string(rows * (smallest + layout.caption_height + layout.gap) + status_height)};
+                      std::to_string(columns * (smallest + layout.gap) - layout.gap) + "x" +
+                      std::to_string(rows * (smallest + layout.gap) - layout.gap + layout.status_height)};
   for (int i = 0; i < count; ++i)
-    layout.origins.push_back({layout.gap + (i % columns) * (layout.tile.x + layout.gap),
-                              layout.caption_height + (i / columns) * (layout.tile.y + layout.caption_height + layout.gap)});
+    layout.origins.push_back({(i % columns) * (layout.tile.x + layout.gap), (i / columns) * (layout.tile.y + layout.gap)});
   return layout;
 }
 
@@ -78,15 +76,11 @@ Image draw_views(const LoadedExperiment& loaded, const RenderRequest& request, c
 
   const Colors colors = colors_of(request.theme);
   Image whole = filled(request.size, colors.ground);
+  for (std::size_t i = 0; i < request.views.size(); ++i)
+    paste(view_image(describe_view(request.views[i], analysis, loaded.scene, layout.tile)), layout.origins[i], whole);
   const Caption caption(font_file(), 18 * request.scale);
   const int inset = int(std::lround(5 * request.scale));
-  for (std::size_t i = 0; i < request.views.size(); ++i) {
-    const ViewPicture picture = describe_view(request.views[i], analysis, loaded.scene, layout.tile);
-    const glm::ivec2 origin = layout.origins[i];
-    paste(view_image(picture), origin, whole);
-    caption.draw(whole, origin.x + inset, origin.y - layout.caption_height + inset, picture.title, colors.text);
-  }
-  caption.draw(whole, layout.gap + inset, request.size.y - layout.caption_height + inset, status_text(analysis), colors.text);
+  caption.draw(whole, inset, request.size.y - layout.status_height + inset, status_text(analysis), colors.text);
   return whole;
 }
 

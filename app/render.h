@@ -11,13 +11,12 @@
 namespace psm {
 
 struct RenderRequest {
-  std::vector<ViewId> views;  // one fills the picture; several share it in two columns, each under its title
+  std::vector<ViewId> views;  // one fills the picture; several share it in two columns, over a line with the light case
   glm::ivec2 size{1280, 720};
   double scale = 1.0;  // of line widths and type
   Theme theme = Theme::light;
 };
 
-constexpr ViewId kAllViews[] = {ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};
 constexpr int kLargestSide = 16384;
 constexpr std::int64_t kMostPixels = 64 << 20;
 
@@ -25,7 +24,7 @@ constexpr std::int64_t kMostPixels = 64 << 20;
 struct RenderLayout {
   std::vector<glm::ivec2> origins;  // top left of each view
   glm::ivec2 tile{0};               // size of each
-  int caption_height = 0, gap = 0;  // 0 for a single view
+  int status_height = 0, gap = 0;   // 0 for a single view; the status line is at the bottom
 };
 Result<RenderLayout> lay_out(const RenderRequest& request);
 

@@ -19,8 +19,8 @@ enum class Role {
   map_window,       // the shadow map's window as a body
   infinity,         // the infinity plane and w = 0
   texel_grid,
-  scene_bounds,     // S
-  neutral,          // axes, cube, grid
+  scene_bounds,  // S
+  neutral,       // axes, cube, grid
   text
 };
 
@@ -31,9 +31,9 @@ enum class LineStyle { solid, dashed };
 struct DrawLine {
   glm::dvec4 a, b;
   Role role = Role::neutral;
-  double width = 1.5;          // pixels at scale 1
+  double width = 1.5;  // pixels at scale 1
   LineStyle style = LineStyle::solid;
-  bool arrow = false;          // a head at b
+  bool arrow = false;                 // a head at b
   double fade_a = 1.0, fade_b = 1.0;  // opacity at the ends
 };
 
@@ -64,26 +64,32 @@ struct DrawList {
   std::vector<DrawLabel> labels;
 };
 
-/// sRGB, 0 to 1. `role_color` is for fills and points; lines and text need more contrast on white: darker variants of the same hue,
-/// at least 3:1 for lines and 4.5:1 for text (the palette's orange, sky blue and yellow have 2.3, 2.3 and 1.3).
+/// sRGB, 0 to 1. `role_color` is for fills and points; lines and text need more contrast on white: darker variants of the same
+/// hue, at least 3:1 for lines and 4.5:1 for text (the palette's orange, sky blue and yellow have 2.3, 2.3 and 1.3).
 glm::vec3 role_color(Role role);
 glm::vec3 role_line_color(Role role);
 glm::vec3 role_text_color(Role role);
 
-/// A label's place on the picture: pixels, y downwards. `top_left`, `size`: the text's box, as measured; label_margin * scale around
-/// it stays free of other labels and of the picture's border, for a plate.
+/// A label's place on the picture: pixels, y downwards. `top_left`, `size`: the text's box, as measured; label_margin * scale
+/// around it stays free of other labels and of the picture's border, for a plate.
 constexpr double label_margin = 4.0;
 struct PlacedLabel {
   glm::dvec2 top_left, size;
-  glm::dvec2 anchor;   // where the leader ends
+  glm::dvec2 anchor;  // where the leader ends
   std::string text;
   Role role = Role::text;
   bool leader = false;
 };
 
+/// A part of the picture that labels must leave free, such as a title: pixels, y downwards.
+struct Occupied {
+  glm::dvec2 top_left, size;
+};
+
 /// Greedy placement, most constrained first: eight positions around each anchor, no overlap, nothing cut, at most 12.
 /// `text_size` measures a text in pixels; `clip_from_list` maps the list's space to the picture's clip space.
 std::vector<PlacedLabel> place_labels(const DrawList& list, const glm::dmat4& clip_from_list, glm::dvec2 picture_size,
-                                      double scale, glm::dvec2 (*text_size)(const std::string&, double scale, void*), void* context);
+                                      double scale, glm::dvec2 (*text_size)(const std::string&, double scale, void*),
+                                      void* context, const std::vector<Occupied>& occupied = {});
 
 }  // namespace psm

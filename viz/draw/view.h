@@ -13,20 +13,21 @@ namespace psm {
 
 enum class ScenePicture {
   shadowed,    // lit, with shadows from the map
-  projective,  // the same, after a projective map of the world: drawn twice, the second time negated, so that both sides of w = 0 appear
+  projective,  // the same, after a projective map of the world: drawn twice, the second time negated, so that both sides of w = 0
+               // appear
   map_depth    // the shadow map's depth, as an image in the square [-1, 1]^2 of map clip space
 };
 
-/// One view, ready to draw. The world list has one DrawPoint of role light (the light's handle; a sun stands at the picture's edge)
-/// and one of role frustum (the eye). Corner [-1, 1]^2 of clip space is the whole picture.
+/// One view, ready to draw. The world list has one DrawPoint of role light (the light's handle; a sun stands at the picture's
+/// edge) and one of role frustum (the eye). Corner [-1, 1]^2 of clip space is the whole picture.
 struct ViewPicture {
   ViewId id = ViewId::world;
-  std::string title;              // "World", "Unit cube", "Shadow map 1024 x 1024", "Eye"
+  std::string title;  // "World", "Unit cube", "Shadow map 1024 x 1024", "Eye"
   ScenePicture scene = ScenePicture::shadowed;
   glm::dmat4 clip_from_world{1.0};  // for the scene's triangles (not used by map_depth)
   glm::dmat4 cube_from_world{1.0};  // projective only: fragments outside limit * [-1, 1]^3 of the cube are faded out
   double cube_limit = 3.0;
-  glm::dmat4 clip_from_list{1.0};   // for the list
+  glm::dmat4 clip_from_list{1.0};  // for the list
   DrawList list;
   /// The part of the picture that the eye's image occupies (the eye view letterboxes), in clip space: min x, min y, max x, max y.
   glm::dvec4 image_rect{-1.0, -1.0, 1.0, 1.0};
@@ -35,9 +36,9 @@ struct ViewPicture {
 /// Pure. `size` in pixels: its aspect decides the letterbox and the fit.
 ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene& scene, glm::ivec2 size);
 
-/// Where an orbit looks from: the camera's view matrix and the perspective of a view of this aspect. `extent_min`, `extent_max`: the
-/// box that distance 0 fits. With distance 0 and target 0 (both unset) it turns around the middle of that box; who then zooms or
-/// pans stores the resolved `target` and `distance` first.
+/// Where an orbit looks from: the camera's view matrix and the perspective of a view of this aspect. `extent_min`, `extent_max`:
+/// the box that distance 0 fits. With distance 0 and target 0 (both unset) it turns around the middle of that box; who then zooms
+/// or pans stores the resolved `target` and `distance` first.
 struct OrbitCamera {
   glm::dmat4 view_from_space{1.0}, clip_from_view{1.0};
   glm::dvec3 eye{0.0}, target{0.0};
@@ -49,8 +50,8 @@ OrbitCamera orbit_camera(const OrbitSettings& orbit, const glm::dvec3& extent_mi
 void view_extent(ViewId id, const Analysis& analysis, glm::dvec3& extent_min, glm::dvec3& extent_max);
 
 /// The camera of the world or cube view, of this aspect. The cube view's is seen through a mirror in z, because clip space is
-/// left-handed: the cube then looks like the world, not like its mirror image. Its `view_from_space` holds the mirror; its eye and target
-/// are in cube coordinates.
+/// left-handed: the cube then looks like the world, not like its mirror image. Its `view_from_space` holds the mirror; its eye
+/// and target are in cube coordinates.
 OrbitCamera view_camera(ViewId id, const Analysis& analysis, double aspect);
 
 /// The badge at the bottom: light case, the number that decides, and its words.

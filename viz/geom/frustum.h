@@ -52,5 +52,8 @@ inline std::vector<Plane> pyramid_planes(const ViewFrame& spot, double near = 0.
 
 /// hull_with_light for a frustum as `frustum_planes` returns it, which may be unbounded (five planes).
 std::vector<Plane> frustum_hull_with_light(std::span<const Plane> frustum, const glm::dvec4& light);
+inline std::vector<Plane> frustum_hull_with_light(const ViewFrame& v, double near, double far, const glm::dvec4& light) {
+  return frustum_hull_with_light(frustum_planes(v, near, far), light);
+}
 
 }  // namespace psm

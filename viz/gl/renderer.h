@@ -25,7 +25,8 @@ enum class Theme { light, dark };
 
 class Renderer {
  public:
-  /// `assets`: the folder with shaders/. `font`: a TrueType file for labels. Aborts with a clear line if a shader does not compile.
+  /// `assets`: the folder with shaders/. `font`: a TrueType file for labels. Aborts with a clear line if a shader does not
+  /// compile.
   Renderer(const std::filesystem::path& assets, const std::filesystem::path& font);
   ~Renderer();
   Renderer(const Renderer&) = delete;
@@ -46,6 +47,9 @@ class Renderer {
 
   /// Depth in [0, 1] of layer 0 of the shadow map, rows bottom to top; for tests.
   std::vector<float> read_map_depth();
+
+  /// Texels along a side of the map that was drawn last: less than the experiment asks for where the card has no room for more.
+  int map_resolution() const;
 
  private:
   struct State;

@@ -24,7 +24,7 @@ struct LightCase {
   glm::dvec4 light_post{0.0};   // P V l in clip space, not divided
   bool reversed_order = false;  // naive depth order along rays
   bool inside_receivers = false, inside_frustum = false;
-  double kappa = 0.0;           // light_post.w / |light_post.xyz|
+  double kappa = 0.0;              // light_post.w / |light_post.xyz|
   bool within_half_texel = false;  // |kappa| < 1 / (2 N): directional on screen
 };
 
@@ -38,24 +38,27 @@ struct Analysis {
   LightCase light_case;
 
   // What the technique used; nothing where it has none.
-  std::optional<double> theta, phi;  // radians
-  std::optional<double> near, far;   // eye-depth range of R
-  std::optional<double> rho, lambda; // lambda = rho / (1 - rho), infinite for the uniform map
+  std::optional<double> theta, phi;   // radians
+  std::optional<double> near, far;    // eye-depth range of R
+  std::optional<double> rho, lambda;  // lambda = rho / (1 - rho), infinite for the uniform map
   double camera_shift = 0.0;
   Technique technique_used = Technique::uniform;
   std::vector<Note> notes;
 
   // Matrices, destination from source.
   glm::dmat4 view_from_world{1.0}, clip_from_view{1.0};
-  std::optional<glm::dmat4> map_from_world;                     // none exactly when l lies in R
-  std::optional<std::array<glm::dmat4, 6>> cube_maps_from_world; // then six maps: +x -x +y -y +z -z
-  std::optional<glm::dvec4> vanishing_plane;                    // c = 0, positive on R
+  std::optional<glm::dmat4> map_from_world;                       // none exactly when l lies in R
+  std::optional<std::array<glm::dmat4, 6>> cube_maps_from_world;  // then six maps: +x -x +y -y +z -z
+  bool reversed_depth = false;                // psm_divided, psm_recipe with an inverted light: the farthest hit survives
+  std::optional<glm::dvec4> vanishing_plane;  // c = 0, positive on R
 
-  glm::dvec4 light{0.0};        // homogeneous, in world space, towards the light
-  ConvexBody scene_body;        // S
-  ConvexBody receivers_body;    // R = V ∩ S ∩ L
-  ConvexBody caster_body;       // H_R = hull(R + l) ∩ S ∩ L: what the map's depth range holds
-  std::array<glm::dvec4, 8> frustum_corners{};  // homogeneous, world: near then far, each (-,-) (+,-) (+,+) (-,+); far may have w = 0
+  glm::dvec4 light{0.0};      // homogeneous, in world space, towards the light
+  ConvexBody scene_body;      // S
+  ConvexBody receivers_body;  // R = V ∩ S ∩ L
+  ConvexBody caster_body;     // H = hull(V + l) ∩ S ∩ L (PSM 2002, section 4.1)
+  ConvexBody depth_body;      // H_R = hull(R + l) ∩ S ∩ L: what the map's depth range holds
+  std::array<glm::dvec4, 8>
+      frustum_corners{};  // homogeneous, world: near then far, each (-,-) (+,-) (+,+) (-,+); far may have w = 0
 
   std::optional<ModelError> model_error;
   bool worse_than_uniform = false;  // computed; the note says by which measure

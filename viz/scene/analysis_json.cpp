@@ -119,9 +119,6 @@ void add_nan_notes(const std::vector<std::string>& paths, std::vector<Note>& not
 
 std::string analysis_to_json(const Analysis& analysis, const Scene& scene) {
   std::vector<Note> notes = analysis.notes;
-  notes.push_back(
-      {"caster_body_not_computed", "The caster body H of the paper is not computed yet.", std::nullopt, std::nullopt});
-
   JsonNode root = JsonNode::object();
   root["psmlab"] = JsonNode::integer(1);
   root["experiment"] = experiment_node(analysis.experiment);
@@ -138,8 +135,9 @@ std::string analysis_to_json(const Analysis& analysis, const Scene& scene) {
   root["worse_than_uniform"] = JsonNode::boolean(analysis.worse_than_uniform);
   root["notes"] = JsonNode();  // its place; the notes are complete once all else is there
   root["matrices"] = matrices_node(analysis);
+  root["reversed_depth"] = JsonNode::boolean(analysis.reversed_depth);
   root["vanishing_plane"] = analysis.vanishing_plane ? JsonNode(*analysis.vanishing_plane) : JsonNode();
-  root["caster_body"] = JsonNode();
+  root["caster_body"] = body_node(analysis.caster_body);
   root["receivers_body"] = body_node(analysis.receivers_body);
   root["error"] = error_node(analysis.model_error);
   add_nan_notes(root.nan_paths(), notes);

@@ -3,40 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geom/frustum.h"
 #include "math/light_case.h"
-#include "math/shadow_map.h"
-#include "math/warp.h"
-#include "scene/analysis.h"
+#include "scene/analysis_stages.h"
 #include "scene/texel_sampling.h"
 
 namespace psm {
 namespace {
 
 using glm::dmat4, glm::dvec3, glm::dvec4;
-constexpr double kRadians = 3.14159265358979323846 / 180.0;
-
-void note(Analysis& a, std::string code, std::string text, std::optional<double> value = {}, std::optional<double> limit = {}) {
-  a.notes.push_back({std::move(code), std::move(text), value, limit});
-}
-
-/// What the stages hand on; the Analysis keeps what is worth showing.
-struct Stages {
-  const Experiment& x;
-  const Scene& scene;
-  ViewFrame view = {};
-  std::vector<Plane> view_planes = {};
-  ConvexBody lit_scene = {};  // S ∩ L
-  dvec4 light{0};             // unit direction and 0, or position and 1
-  dvec3 centroid{0};          // of R
-  double near = 1, far = 2;   // depth range that the technique uses
-  LightFrame<double> frame = {};
-  dvec4 uniform{0};
-  bool light_in_receivers = false;
-};
 
 ViewFrame camera_frame(const Experiment& x) {
-  const double tan_y = std::tan(x.camera.vertical_fov_deg * kRadians / 2);
+  const double tan_y = std::tan(x.camera.vertical_fov_deg * kRadiansPerDegree / 2);
   return view_frame(x.camera.position, x.camera.target - x.camera.position, x.camera.up, tan_y * x.image.aspect(), tan_y);
 }
 
@@ -77,7 +54,7 @@ void set_light_case(Stages& s, Analysis& a) {
 std::vector<Plane> spot_planes(const Stages& s, Analysis& a) {
   const LightSettings& l = s.x.light;
   if (l.type != LightType::spot) return {};
-  const double tangent = std::tan(l.cone_deg * kRadians / 2);
+  const double tangent = std::tan(l.cone_deg * kRadiansPerDegree / 2);
   const ViewFrame spot = view_frame(l.position, l.target - l.position, dvec3(0, 1, 0), tangent, tangent);
   double reach = 0;
   for (const dvec3& v : a.scene_body.vertices) reach = std::max(reach, spot.depth(v));
@@ -113,6 +90,7 @@ void set_bodies(Stages& s, Analysis& a) {
   s.lit_scene = clip(a.scene_body, spot_planes(s, a));
   a.receivers_body = clip(s.lit_scene, s.view_planes);
   a.light_case.inside_frustum = s.light.w != 0 && contains(s.view_planes, s.light);
+  a.caster_body = clip(s.lit_scene, frustum_hull_with_light(s.view, s.x.camera.near, s.x.camera.far, s.light));
   const bool in_scene = s.light.w != 0 && contains(a.scene_body.planes, s.light);
   s.light_in_receivers = in_scene && a.light_case.inside_frustum && s.x.light.type == LightType::point;
   a.light_case.inside_receivers = s.light_in_receivers;
@@ -153,133 +131,6 @@ dvec3 uniform_axis(const Stages& s, const ConvexBody& receivers) {
   return smallest_enclosing_cone<double>(d).axis;
 }
 
-std::optional<Warp> warp_of(Technique t) {
-  switch (t) {
-    case Technique::uniform:
-      return Warp::uniform;
-    case Technique::lispsm:
-      return Warp::lispsm;
-    case Technique::lispsm_reference:
-      return Warp::lispsm_reference;
-    case Technique::glpr:
-      return Warp::glpr;
-    case Technique::gmnpr:
-      return Warp::gmnpr;
-    case Technique::minimax:
-      return Warp::minimax;
-    case Technique::minimax_frustum:
-      return Warp::minimax_frustum;
-    default:
-      return {};
-  }
-}
-
-/// The effective half angle in the view-light plane: exact range of t over the frustum's corners.
-double tan_phi_effective(const ViewFrame& v, const dvec3& to_light) {
-  const double x = std::abs(glm::dot(v.right, to_light)), y = std::abs(glm::dot(v.up, to_light)), h = std::hypot(x, y);
-  return h > 0 ? (x * v.tan_x + y * v.tan_y) / h : v.tan_y;
-}
-
-WarpModel<double> model_of(const Stages& s) {
-  const dvec3 to_light = s.light.w == 0 ? dvec3(s.light) : safe_normalize(dvec3(s.light) - s.centroid);
-  return WarpModel<double>::from_vectors(s.near, s.far, tan_phi_effective(s.view, to_light), s.view.forward, to_light);
-}
-
-WarpStrength<double> strength_for(Warp warp, const WarpModel<double>& model) {
-  if (warp != Warp::lispsm_reference) return warp_strength(warp, model);
-  const double rho = std::sqrt(model.n / model.f);  // the authors' code in three dimensions: R's depths, with R's range of t
-  return {true, rho, (model.f - model.n) / model.f / (1 + rho)};
-}
-
-/// The range of t that the warp spans: over R, or over the frustum between R's depths.
-Range<double> warp_range(const Stages& s, Analysis& a, std::span<const dvec3> receivers) {
-  const Range<double> of_receivers = ratio_range(s.frame.b, s.uniform, receivers);
-  if (s.x.shadow.warp_range == WarpRange::receivers) return of_receivers;
-  std::vector<dvec3> corners;
-  for (const double z : {s.near, s.far})
-    for (const double x : {-1.0, 1.0})
-      for (const double y : {-1.0, 1.0}) corners.push_back(s.view.at(x, y, z));
-  const Range<double> c = value_range<double>(s.uniform, corners);
-  if (!(c.min > 1e-3 * c.max)) {
-    note(a, "warp_range_receivers", "The frustum reaches behind the light's plane: the warp spans the receivers.", c.min,
-         1e-3 * c.max);
-    return of_receivers;
-  }
-  Range<double> both = ratio_range<double>(s.frame.b, s.uniform, corners);
-  both.add(of_receivers.min), both.add(of_receivers.max);
-  return both;
-}
-
-dvec4 plane_of_warp(Warp warp, Stages& s, Analysis& a, std::span<const dvec3> receivers) {
-  const WarpModel<double> model = model_of(s);
-  WarpStrength<double> strength = strength_for(warp, model);
-  a.theta = model.theta;
-  a.phi = model.phi;
-  if (!strength.exists) {
-    note(a, "glpr_needs_theta_above_phi", "GLPR does not exist where theta is at most phi: the uniform map is used.",
-         model.theta / kRadians, model.phi / kRadians);
-    a.technique_used = Technique::uniform;
-    strength = {};
-  }
-  if (s.light.w != 0 && warp != Warp::uniform)
-    note(a, "lambda_from_directional_model",
-         "The papers derive lambda for directional lights only: theta is taken at the receivers' centroid, the warp in the "
-         "light's own "
-         "perspective space.",
-         model.theta / kRadians);
-  a.rho = strength.rho;
-  a.lambda = strength.lambda();
-  const double tan_x = s.view.tan_x * s.view.tan_y / model.tan_phi;  // across the view-light plane: exact along the image's axes
-  const auto e = warp_error(model, strength.rho, tan_x);
-  a.model_error = ModelError{e.F_near, e.F_far, e.F_max, e.E_max_line, e.E_max_frustum, e.storage_factor};
-  const auto uniform = warp_error(model, 1.0, tan_x);
-  if (e.E_max_line > uniform.E_max_line * (1 + 1e-9)) {
-    a.worse_than_uniform = true;
-    note(a, "worse_than_uniform", "Worse than the uniform map: largest F over the depth range.", e.F_max, uniform.F_max);
-  }
-  return warped_plane(s.uniform, s.frame.b, warp_range(s, a, receivers), strength.rho, strength.one_minus_rho);
-}
-
-dvec4 plane_of_psm(Stages& s, Analysis& a, std::span<const dvec3> receivers) {
-  const double shift = s.x.shadow.camera_shift.value_or(0.0);
-  a.camera_shift = shift;
-  ViewFrame eye = s.view;
-  eye.eye -= shift * eye.forward;  // near stays, far grows by the shift (PSM 2002, section 4.2)
-  const dmat4 clip = perspective(eye.tan_x, eye.tan_y, s.near, s.far + shift) * eye.view_from_world();
-  const auto psm = psm_plane(clip, s.light, receivers);
-  if (psm.turned > 0)
-    note(a, "aim_turned", "Looking at the cube's centre would leave receivers behind the light's plane: the aim is turned.",
-         psm.turned / kRadians);
-  return psm.plane;
-}
-
-dvec4 plane_of_custom(Stages& s, Analysis& a) {
-  if (!s.x.shadow.plane) {
-    note(a, "plane_missing", "Technique custom needs shadow.plane: the uniform map is used.");
-    a.technique_used = Technique::uniform;
-    return s.uniform;
-  }
-  // The plane must pass through the light; the given one is moved there (positions) or turned there (directions).
-  dvec4 p = *s.x.shadow.plane;
-  const double miss = glm::dot(p, s.light);
-  if (s.light.w == 0)
-    p -= miss * s.light;
-  else
-    p.w -= miss;
-  return glm::dot(p, dvec4(s.centroid, 1)) < 0 ? -p : p;
-}
-
-dvec4 technique_plane(Stages& s, Analysis& a, std::span<const dvec3> receivers) {
-  const Technique technique = s.x.shadow.technique;
-  a.technique_used = technique;
-  if (const auto warp = warp_of(technique)) return plane_of_warp(*warp, s, a, receivers);
-  if (technique == Technique::psm) return plane_of_psm(s, a, receivers);
-  if (technique == Technique::custom) return plane_of_custom(s, a);
-  note(a, "technique_not_built", std::string("Technique ") + name_of(technique) + " is not built yet: the uniform map is used.");
-  a.technique_used = Technique::uniform;
-  return s.uniform;
-}
-
 /// The plane must be positive on the receivers; one that is not is replaced by the uniform plane, by name.
 void require_positive(dvec4& plane, const Stages& s, Analysis& a, std::span<const dvec3> receivers) {
   const Range<double> c = value_range(plane, receivers);
@@ -293,9 +144,14 @@ void fit_single_map(Stages& s, Analysis& a, const ConvexBody& receivers) {
   std::span<const dvec3> points(receivers.vertices);
   s.uniform = uniform_plane(s.light, uniform_axis(s, receivers));
   s.frame = light_frame(s.light, s.centroid, s.view.forward, s.view.up);
+  if (!a.receivers_body.empty()) a.map_from_world = rule_breaking_map(s, a, points);
+  if (a.map_from_world) {
+    a.vanishing_plane = row(*a.map_from_world, 3);
+    return;
+  }
   dvec4 plane = a.receivers_body.empty() ? s.uniform : technique_plane(s, a, points);
   require_positive(plane, s, a, points);
-  const auto fit = fit_map<double>(s.frame, plane, points, a.caster_body.vertices);
+  const auto fit = fit_map<double>(s.frame, plane, points, a.depth_body.vertices);
   a.map_from_world = fit.map_from_world;
   a.vanishing_plane = row(fit.map_from_world, 3);
   if (fit.padded_window) note(a, "window_padded", "The receivers have no extent across the light: the window is padded.");
@@ -303,7 +159,7 @@ void fit_single_map(Stages& s, Analysis& a, const ConvexBody& receivers) {
     note(a, "depth_padded", "Casters and receivers have no extent along the light: the depth range is padded.");
   if (fit.near_distance_used)
     note(a, "light_near_distance",
-         "The light stands inside the scene: the map's depth starts at a near distance, here as a fraction of the "
+         "The light stands in or close to the scene: the map's depth starts at a near distance, here as a fraction of the "
          "farthest receiver's.",
          fit.near_c);
 }
@@ -326,7 +182,7 @@ void compare_with_uniform(const Stages& s, Analysis& a) {
   if (!a.map_from_world || a.technique_used == Technique::uniform) return;
   const std::vector<SurfacePoint> points = sample_scene_box(s.view, a);
   if (points.empty()) return;
-  const auto uniform = fit_map<double>(s.frame, s.uniform, a.receivers_body.vertices, a.caster_body.vertices);
+  const auto uniform = fit_map<double>(s.frame, s.uniform, a.receivers_body.vertices, a.depth_body.vertices);
   const double here = texel_percentile(points, *a.map_from_world, a, 0.95),
                there = texel_percentile(points, uniform.map_from_world, a, 0.95);
   if (!(here > there * (1 + 1e-9))) return;
@@ -356,11 +212,11 @@ Analysis analyze(const Experiment& experiment, const Scene& scene) {
   }
   set_depth_range(s, a, receivers);
   if (s.light_in_receivers) {
-    a.caster_body = receivers;
+    a.depth_body = receivers;
     fit_six_maps(s, a, receivers);
     return a;
   }
-  a.caster_body = clip(s.lit_scene, hull_with_light(receivers, s.light));
+  a.depth_body = clip(s.lit_scene, hull_with_light(receivers, s.light));
   fit_single_map(s, a, receivers);
   compare_with_uniform(s, a);
   return a;

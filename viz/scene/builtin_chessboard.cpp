@@ -15,7 +15,7 @@ namespace {
 
 enum MaterialIndex { kIvory, kEbony, kLightSquare, kDarkSquare, kFrame, kTable };
 
-constexpr double kTableTop = -0.35, kTableHalf = 16.0, kFrameWidth = 0.75;
+constexpr double kTableTop = -0.35, kTableHalf = 14.0, kFrameWidth = 0.75;
 
 /// Italian game after three moves: all 32 pieces are there, and the middle of the board catches shadows.
 /// Rank 8 first, files a to h; capitals are white.
@@ -31,7 +31,7 @@ struct Kind {
 
 const std::array<Kind, 6> kKinds{{{'p', "pawn", shapes::pawn, 0.0},
                                   {'r', "rook", shapes::rook, 0.26},
-                                  {'n', "knight", shapes::knight, 0.75},
+                                  {'n', "knight", shapes::knight, 1.15},
                                   {'b', "bishop", shapes::bishop, 0.6},
                                   {'q', "queen", shapes::queen, 0.0},
                                   {'k', "king", shapes::king, 1.35}}};
@@ -103,21 +103,21 @@ Scene make_chessboard() {
   add_pieces(scene);
   add_board(scene);
 
-  // Low behind the corner a1: the nearest piece is a square and a half away, the table ends beyond twenty.
+  // Low behind the corner a1, just above the tallest piece: the receivers' depths span a factor of fifteen.
   CameraSettings camera;
-  camera.position = {-3.9, 1.7, 5.6};
-  camera.target = {0.2, -0.1, -0.3};
-  camera.vertical_fov_deg = 50.0;
-  camera.near = 0.1;
+  camera.position = {-3.6, 2.05, 6.1};
+  camera.target = {0.35, 0.0, -0.3};
+  camera.vertical_fov_deg = 52.0;
+  camera.near = 1.0;
   camera.far = 60.0;
   scene.camera = camera;
 
-  // From the far left, so that shadows fall across the board and towards the viewer.
+  // Behind the board on the left, so that shadows fall towards the viewer: there a uniform map is too coarse.
   LightSettings light;
   light.type = LightType::spot;
-  light.position = {-9.0, 7.0, -6.5};
-  light.target = {0.0, 0.0, 0.3};
-  light.cone_deg = 62.0;
+  light.position = {-5.0, 9.0, -9.0};
+  light.target = {0.0, 0.0, 0.0};
+  light.cone_deg = 60.0;
   scene.light = light;
   return scene;
 }

@@ -22,6 +22,7 @@ constexpr std::array kTechniques{"uniform",    "psm",         "lispsm",         
                                  "gmnpr",      "minimax",     "minimax_frustum", "plane_optimal",    "best_plane",
                                  "psm_recipe", "psm_divided", "custom"};
 constexpr std::array kViews{"world", "cube", "map", "eye"};
+static_assert(kViews.size() == kAllViews.size());
 
 template <std::size_t N>
 std::vector<std::string> as_list(const std::array<const char*, N>& names) {
@@ -50,8 +51,9 @@ Choice choice(std::vector<std::string> names, Access access) {
 }
 
 Choice maximised_choice() {
-  return {{"none", "world", "cube", "map", "eye"},
-          [](const Experiment& e) { return e.view.maximised ? int(*e.view.maximised) + 1 : 0; },
+  std::vector<std::string> names{"none"};
+  names.insert(names.end(), kViews.begin(), kViews.end());
+  return {std::move(names), [](const Experiment& e) { return e.view.maximised ? int(*e.view.maximised) + 1 : 0; },
           [](Experiment& e, int i) { e.view.maximised = i == 0 ? std::nullopt : std::optional<ViewId>(ViewId(i - 1)); }};
 }
 

@@ -3,6 +3,7 @@
 // --set and sweeps come from it.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
@@ -24,14 +25,26 @@ struct Note {
 
 enum class LightType { directional, point, spot };
 enum class Technique {
-  uniform, psm, lispsm, lispsm_reference, glpr, gmnpr, minimax, minimax_frustum,
-  plane_optimal, best_plane, psm_recipe, psm_divided, custom
+  uniform,
+  psm,
+  lispsm,
+  lispsm_reference,
+  glpr,
+  gmnpr,
+  minimax,
+  minimax_frustum,
+  plane_optimal,
+  best_plane,
+  psm_recipe,
+  psm_divided,
+  custom
 };
 enum class Filter { none };
 enum class NearFit { off, bounds, depth };
 enum class Focus { bounds, visible };
 enum class WarpRange { receivers, frustum };
 enum class ViewId { world, cube, map, eye };
+inline constexpr std::array kAllViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};  // by value
 
 struct SceneSettings {
   std::string source = "chessboard";
@@ -65,8 +78,8 @@ struct ShadowSettings {
   Technique technique = Technique::gmnpr;
   int resolution = 1024;  // texels along each side of the map
   Filter filter = Filter::none;
-  double depth_bias = 1.5;                // in texels along the steeper of the two depth slopes of the caster
-  std::optional<double> camera_shift;     // none: auto
+  double depth_bias = 1.5;             // in texels along the steeper of the two depth slopes of the caster
+  std::optional<double> camera_shift;  // none: auto
   NearFit near_fit = NearFit::bounds;
   Focus focus = Focus::bounds;
   WarpRange warp_range = WarpRange::receivers;
@@ -87,8 +100,8 @@ struct OrbitSettings {
 struct ViewSettings {
   std::optional<ViewId> maximised;  // none: all four
   OrbitSettings world, cube;
-  glm::dvec2 map_center{0.0};       // map clip space
-  double map_zoom = 1.0;            // 1: the whole map
+  glm::dvec2 map_center{0.0};  // map clip space
+  double map_zoom = 1.0;       // 1: the whole map
   bool operator==(const ViewSettings&) const = default;
 };
 
@@ -115,20 +128,20 @@ using IntRef = std::function<int&(Experiment&)>;
 using Vec2Ref = std::function<glm::dvec2&(Experiment&)>;
 using Vec3Ref = std::function<glm::dvec3&(Experiment&)>;
 using TextRef = std::function<std::string&(Experiment&)>;
-using AutoNumberRef = std::function<std::optional<double>&(Experiment&)>;      // "auto" or a number
-using AutoPlaneRef = std::function<std::optional<glm::dvec4>&(Experiment&)>;   // "auto" or null, or [a, b, c, d]
+using AutoNumberRef = std::function<std::optional<double>&(Experiment&)>;     // "auto" or a number
+using AutoPlaneRef = std::function<std::optional<glm::dvec4>&(Experiment&)>;  // "auto" or null, or [a, b, c, d]
 
 /// One row: a member that a user can set.
 struct Field {
-  std::string path;   // JSON path, such as "camera.near"
+  std::string path;  // JSON path, such as "camera.near"
   std::variant<NumberRef, IntRef, Vec2Ref, Vec3Ref, TextRef, AutoNumberRef, AutoPlaneRef, Choice> member;
-  std::string unit;   // "" where there is none; "deg", "texels", "scene units", "px"
-  double min = -1e300, max = 1e300;  // of a number or of each component
+  std::string unit;                         // "" where there is none; "deg", "texels", "scene units", "px"
+  double min = -1e300, max = 1e300;         // of a number or of each component
   bool open_min = false, open_max = false;  // the bound itself is not allowed
   bool may_be_infinite = false;             // "inf" is allowed
   bool nonzero = false;                     // a vector: not the zero vector; a plane: its normal is not
   std::string absent = "auto";              // the word for "no value" of AutoNumberRef and AutoPlaneRef: "auto" or "null"
-  std::string help;   // one sentence
+  std::string help;                         // one sentence
   /// False where the member means nothing for this experiment (a spot's cone while the light is directional).
   std::function<bool(const Experiment&)> applies = [](const Experiment&) { return true; };
 };

@@ -13,7 +13,7 @@ namespace {
 std::string last_part(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
 std::string with_unit(const Field& field, double value) {
-  const std::string number = short_number(value);
+  const std::string number = shown_number(value);
   if (field.unit == "deg") return number + "°";
   if (field.unit == "texels" || field.unit == "px") return number + " " + field.unit;
   return number;
@@ -48,7 +48,8 @@ struct RowWidgets {
   void component(double& value, int index, const std::string& name, float item_width) const {
     ImGui::PushID(index);
     ImGui::SetNextItemWidth(item_width);
-    ImGui::DragScalar("##component", ImGuiDataType_Double, &value, drag_speed(field, size), nullptr, nullptr, "%.4g",
+    const char* format = item_width < 6.0f * ImGui::GetFontSize() ? "%.3g" : "%.5g";
+    ImGui::DragScalar("##component", ImGuiDataType_Double, &value, drag_speed(field, size), nullptr, nullptr, format,
                       ImGuiSliderFlags_NoRoundToFormat);
     note_place(ui, name);
     ImGui::PopID();
@@ -153,6 +154,11 @@ struct RowWidgets {
   }
 };
 
+std::string field_tooltip(const Field& field, const Experiment& experiment) {
+  return field.help + "\n" + value_text(field, experiment) + (field.unit.empty() ? "" : " " + field.unit) +
+         "; allowed: " + allowed_values(field);
+}
+
 bool needs_own_line(const Field& field) {
   return std::holds_alternative<Vec3Ref>(field.member) || std::holds_alternative<AutoPlaneRef>(field.member);
 }
@@ -200,21 +206,22 @@ std::optional<SliderRange> slider_range(const Field& field, double size) {
 void field_row(UiContext& ui, const Field& field, Experiment& experiment) {
   if (!field.applies(experiment)) return;
   ImGui::PushID(field.path.c_str());
-  const float region = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
-  const float label_width = std::floor(region * 0.36f), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float region = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX(),
+              gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const bool own_line = needs_own_line(field);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(field_label(field).c_str());
-  const float text_end = ImGui::GetItemRectSize().x;
-  if (!own_line) ImGui::SameLine(left + std::max(label_width, text_end + gap));
-  const float width = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - gap;
+  const float text_end = ImGui::GetItemRectSize().x + gap;
+  if (own_line) ImGui::SameLine();
+  if (own_line) reset_button(ui, field, experiment);
+  if (!own_line) ImGui::SameLine(left + std::max(std::floor(region * 0.36f), text_end));
+  const float width = ImGui::GetContentRegionAvail().x - (own_line ? 0.0f : ImGui::GetFrameHeight() + gap);
   ImGui::BeginGroup();
   std::visit(RowWidgets{ui, field, experiment, scene_size(ui.model.scene()), std::max(16.0f, width)}, field.member);
   ImGui::EndGroup();
-  rest_tooltip(field.help + "\n" + value_text(field, experiment) + (field.unit.empty() ? "" : " " + field.unit) + "; allowed: " +
-               allowed_values(field));
-  ImGui::SameLine();
-  reset_button(ui, field, experiment);
+  rest_tooltip(field_tooltip(field, experiment));
+  if (!own_line) ImGui::SameLine();
+  if (!own_line) reset_button(ui, field, experiment);
   ImGui::PopID();
 }
 

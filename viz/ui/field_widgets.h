@@ -23,7 +23,8 @@ std::optional<SliderRange> slider_range(const Field& field, double scene_size);
 /// Diagonal of the scene's bounds; 1 for an empty or flat-out point-like scene.
 double scene_size(const Scene& scene);
 
-/// Label, widget and reset button. Edits `experiment`; the model makes it valid. Nothing is drawn for a field that does not apply.
+/// Label, widget and reset button. Edits `experiment`; the model makes it valid. Nothing is drawn for a field that does not
+/// apply.
 void field_row(UiContext& ui, const Field& field, Experiment& experiment);
 
 }  // namespace psm

@@ -39,7 +39,8 @@ glm::dvec3 moved(const HandleDrag& drag, glm::dvec2 pixel, bool vertical) {
   return drag.handle.position + glm::dvec3(0.0, -way.y / std::copysign(seen, axes.up.y), 0.0);
 }
 
-/// The sun follows the mouse as a mark on a transparent ball around the view's target does; on its far side it moves the other way.
+/// The sun follows the mouse as a mark on a transparent ball around the view's target does; on its far side it moves the other
+/// way.
 glm::dvec3 turned_sun(const HandleDrag& drag, glm::dvec2 pixel) {
   const PictureAxes axes(drag.camera);
   const glm::dvec3 to_light = drag.before.light.to_light;
@@ -92,11 +93,21 @@ std::optional<Handle> picked_handle(const std::vector<Handle>& handles, glm::dve
 Experiment dragged(const HandleDrag& drag, glm::dvec2 pixel, bool vertical) {
   Experiment out = drag.before;
   switch (drag.handle.kind) {
-    case HandleKind::camera_position: out.camera.position = moved(drag, pixel, vertical); break;
-    case HandleKind::camera_target: out.camera.target = moved(drag, pixel, vertical); break;
-    case HandleKind::light_position: out.light.position = moved(drag, pixel, vertical); break;
-    case HandleKind::light_target: out.light.target = moved(drag, pixel, vertical); break;
-    case HandleKind::sun: out.light.to_light = turned_sun(drag, pixel); break;
+    case HandleKind::camera_position:
+      out.camera.position = moved(drag, pixel, vertical);
+      break;
+    case HandleKind::camera_target:
+      out.camera.target = moved(drag, pixel, vertical);
+      break;
+    case HandleKind::light_position:
+      out.light.position = moved(drag, pixel, vertical);
+      break;
+    case HandleKind::light_target:
+      out.light.target = moved(drag, pixel, vertical);
+      break;
+    case HandleKind::sun:
+      out.light.to_light = turned_sun(drag, pixel);
+      break;
   }
   return out;
 }

@@ -33,13 +33,13 @@ std::optional<Handle> picked_handle(const std::vector<Handle>& handles, glm::dve
 struct HandleDrag {
   Handle handle;
   Experiment before;
-  OrbitCamera camera;        // of the world view, which stays while a handle moves
+  OrbitCamera camera;  // of the world view, which stays while a handle moves
   glm::ivec2 size{1};
-  glm::dvec2 start{0.0};     // pixels
+  glm::dvec2 start{0.0};  // pixels
 };
 
-/// The experiment with the handle moved to where the mouse is now: in the plane through the handle parallel to the picture, or along
-/// the world's vertical if `vertical`. The sun turns around the middle of the view.
+/// The experiment with the handle moved to where the mouse is now: in the plane through the handle parallel to the picture, or
+/// along the world's vertical if `vertical`. The sun turns around the middle of the view.
 Experiment dragged(const HandleDrag& drag, glm::dvec2 pixel, bool vertical);
 
 }  // namespace psm

@@ -41,11 +41,16 @@ void InputQueue::focus(bool focused) { events_.push_back({Kind::focus, {}, 0, fo
 
 bool InputQueue::fits(const Event& event, const Taken& taken) {
   switch (event.kind) {
-    case Kind::move: return !taken.button && !taken.wheel;
-    case Kind::button: return !taken.button && !taken.wheel;
-    case Kind::wheel: return !taken.button;
-    case Kind::key: return !taken.text && !taken.keys.count(event.code);
-    default: return true;
+    case Kind::move:
+      return !taken.button && !taken.wheel;
+    case Kind::button:
+      return !taken.button && !taken.wheel;
+    case Kind::wheel:
+      return !taken.button;
+    case Kind::key:
+      return !taken.text && !taken.keys.count(event.code);
+    default:
+      return true;
   }
 }
 

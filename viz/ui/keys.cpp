@@ -30,6 +30,7 @@ const std::vector<KeyBinding>& key_bindings() {
       {',', control, Action::settings, "Ctrl+,", "settings: scale, font size, theme"},
       {'=', control, Action::bigger, "Ctrl+=", "everything bigger"},
       {'-', control, Action::smaller, "Ctrl+-", "everything smaller"},
+      {'Q', control, Action::quit, "Ctrl+Q", "close psmlab"},
   };
   return table;
 }

@@ -11,8 +11,28 @@
 namespace psm {
 
 enum class Action {
-  help, undo, redo, open, save, save_picture, reset, fit_views, maximise_world, maximise_cube, maximise_map, maximise_eye,
-  show_all, toggle_pane, toggle_theme, settings, bigger, smaller, technique_next, technique_previous, copy_state
+  help,
+  undo,
+  redo,
+  open,
+  save,
+  save_picture,
+  reset,
+  fit_views,
+  maximise_world,
+  maximise_cube,
+  maximise_map,
+  maximise_eye,
+  show_all,
+  toggle_pane,
+  toggle_theme,
+  settings,
+  bigger,
+  smaller,
+  technique_next,
+  technique_previous,
+  copy_state,
+  quit
 };
 
 struct KeyBinding {

@@ -23,7 +23,8 @@ void place_four(Layout& out, const Rect& area, const LayoutSettings& settings, i
 
 }  // namespace
 
-Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, std::optional<ViewId> maximised, int badge_height, int splitter) {
+Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, std::optional<ViewId> maximised, int badge_height,
+               int splitter) {
   Layout out;
   const int bottom = std::max(0, window.y - badge_height);
   out.badges = {{0, bottom}, window};

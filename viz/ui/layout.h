@@ -19,16 +19,19 @@ struct Rect {
   bool contains(glm::dvec2 p) const { return p.x >= min.x && p.x < max.x && p.y >= min.y && p.y < max.y; }
 };
 
+using ViewSizes = std::array<glm::ivec2, kAllViews.size()>;  // by ViewId, in pixels; 0: hidden
+
 struct Layout {
-  std::array<Rect, 4> views;  // by ViewId; empty: hidden
-  Rect pane, badges;          // pane empty: hidden
+  std::array<Rect, kAllViews.size()> views;  // by ViewId; empty: hidden
+  Rect pane, badges;                         // pane empty: hidden
   Rect pane_splitter, column_splitter, row_splitter;
   bool visible(ViewId id) const { return !views[std::size_t(id)].empty(); }
   const Rect& view(ViewId id) const { return views[std::size_t(id)]; }
 };
 
 /// `badge_height` and `splitter` (the dividers' thickness) in pixels.
-Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, std::optional<ViewId> maximised, int badge_height, int splitter);
+Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, std::optional<ViewId> maximised, int badge_height,
+               int splitter);
 
 /// The settings after a divider was dragged to this pixel.
 enum class Splitter { pane, column, row };

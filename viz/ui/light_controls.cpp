@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/field_widgets.h"
 #include "ui/light_angles.h"
 
 namespace psm {
@@ -14,21 +13,20 @@ namespace {
 
 constexpr double half_pi = 1.57079632679489661923;
 
-/// The label above the slider, at the left; marks' labels stand in the same strip.
 float full_width() { return ImGui::GetContentRegionAvail().x; }
 
-void caption(const char* text) {
+void caption(const char* text, const std::vector<Tick>& ticks) {
   ImGui::TextUnformatted(text);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + std::floor(0.35f * ImGui::GetFontSize()));
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + std::floor(0.7f * tick_label_height(ticks)));
 }
 
 void theta_slider(UiContext& ui, LightControls& state, Experiment& e) {
-  caption("θ, between light and view");
   double degrees = glm::degrees(light_theta(e));
   const double before = degrees;
   const auto ticks = theta_ticks(e);
+  caption("θ, between light and view", ticks);
   ImGui::SetNextItemWidth(full_width());
-  if (ticked_slider("##theta", degrees, {0.0, 180.0, false, false}, ticks, short_number(degrees) + "°", ui.theme)) {
+  if (ticked_slider("##theta", degrees, {0.0, 180.0, false, false}, ticks, shown_number(degrees) + "°", ui.theme)) {
     if (!state.theta_side) state.theta_side = theta_side(e);
     const double theta = degrees == 90.0 ? half_pi : glm::radians(std::clamp(degrees, 0.0, 180.0));
     if (degrees != before) e.light.to_light = to_light_at(e, theta, *state.theta_side);
@@ -36,26 +34,33 @@ void theta_slider(UiContext& ui, LightControls& state, Experiment& e) {
   note_place(ui, "theta");
   if (ImGui::IsItemActivated() && !state.theta_side) state.theta_side = theta_side(e);
   if (!ImGui::IsItemActive()) state.theta_side.reset();
-  rest_tooltip("Angle between the view direction and the direction to the light, in degrees.\nAt 90° w = 0: the light is "
-               "directional after the projection. Below φ and above 180° − φ the light shines along the view.\nAlt while dragging: "
-               "no snapping.");
+  rest_tooltip(
+      "Angle between the view direction and the direction to the light, in degrees.\nAt 90° w = 0: the light is "
+      "directional after the projection. Below φ and above 180° − φ the light shines along the view.\nAlt while dragging: "
+      "no snapping.");
+}
+
+/// What one looks at sets the scale; a light beyond it is still on the slider.
+double depth_slider_reach(const Experiment& e) {
+  return std::max(2.0 * glm::length(e.camera.target - e.camera.position), 1.25 * std::abs(light_depth(e)));
 }
 
 void depth_slider(UiContext& ui, LightControls& state, Experiment& e) {
-  caption("w, depth before the camera plane");
   double depth = light_depth(e);
-  const double reach = state.depth_reach.value_or(std::max(scene_size(ui.model.scene()), 1.05 * std::abs(depth)));
+  const double reach = state.depth_reach.value_or(depth_slider_reach(e));
   const std::vector<Tick> ticks = {{0.0, "w = 0", Role::infinity}};
+  caption("w, depth of the light", ticks);
   ImGui::SetNextItemWidth(full_width());
-  if (ticked_slider("##depth", depth, {-reach, reach, false, false}, ticks, short_number(depth, 3), ui.theme))
+  if (ticked_slider("##depth", depth, {-reach, reach, false, false}, ticks, shown_number(depth, 3), ui.theme))
     if (std::isfinite(depth)) e.light.position = position_at_depth(e, std::clamp(depth, -1e6 * reach, 1e6 * reach));
   note_place(ui, "depth");
   if (ImGui::IsItemActive())
     state.depth_reach = reach;
   else
     state.depth_reach.reset();
-  rest_tooltip("How far the light is in front of the plane through the eye, in scene units: w = v·(l − e).\nPositive: a point after "
-               "the projection. 0: directional. Negative: an inverted point.\nAlt while dragging: no snapping.");
+  rest_tooltip(
+      "How far the light is in front of the plane through the eye, in scene units: w = v·(l − e).\nPositive: a point after "
+      "the projection. 0: directional. Negative: an inverted point.\nAlt while dragging: no snapping.");
 }
 
 // ---- the dial ----
@@ -118,8 +123,8 @@ void dial_legend(const UiContext& ui, const Experiment& e) {
   const auto entry = [&](Role role, const char* text) {
     const float em = ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 0.55f * em}, {at.x + 0.9f * em, at.y + 0.55f * em}, line_color(role, ui.theme),
-                                        float(2.0 * ui.scale));
+    ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 0.55f * em}, {at.x + 0.9f * em, at.y + 0.55f * em},
+                                        line_color(role, ui.theme), float(2.0 * ui.scale));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.2f * em);
     ImGui::TextUnformatted(text);
   };
@@ -153,7 +158,8 @@ bool light_dial(UiContext& ui, Experiment& e) {
     changed = wanted != e.light.to_light;
     e.light.to_light = wanted;
   }
-  rest_tooltip("Where the light comes from: the sky from above, the rim is the horizon.\nA ring instead of a disc: below the horizon.");
+  rest_tooltip(
+      "Where the light comes from: the sky from above, the rim is the horizon.\nA ring instead of a disc: below the horizon.");
   draw_dial(ui, dial, e, active || ImGui::IsItemHovered());
   ImGui::SameLine();
   ImGui::BeginGroup();

@@ -10,7 +10,7 @@ namespace psm {
 
 /// Places of the dividers as fractions, and what is hidden.
 struct LayoutSettings {
-  double pane = 0.27;   // of the width
+  double pane = 0.28;   // of the width
   double column = 0.5;  // of what the pane leaves
   double row = 0.5;     // of what the badge bar leaves
   bool pane_shown = true;

@@ -91,7 +91,8 @@ void draw_slider(ImGuiID id, const Track& track, const SliderRange& range, doubl
   const ImGuiStyle& style = g.Style;
   ImGui::RenderNavHighlight(track.frame, id);
   ImGui::RenderFrame(track.frame.Min, track.frame.Max,
-                     ImGui::GetColorU32(active || hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), false, style.FrameRounding);
+                     ImGui::GetColorU32(active || hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), true,
+                     style.FrameRounding);
   const float x = float(track.x(slider_place(range, value))), half = 0.5f * track.grab;
   const ImRect grab({x - half, track.frame.Min.y + 2.0f}, {x + half, track.frame.Max.y - 2.0f});
   ImGui::GetWindowDrawList()->AddRectFilled(grab.Min, grab.Max, ImGui::GetColorU32(ImGuiCol_SliderGrab), style.GrabRounding);
@@ -134,8 +135,8 @@ float tick_label_height(std::span<const Tick> ticks) {
   return any ? std::floor(0.72f * 1.15f * ImGui::GetFontSize()) : 0.0f;
 }
 
-bool ticked_slider(const char* label, double& value, const SliderRange& range, std::span<const Tick> ticks, const std::string& text,
-                   Theme theme) {
+bool ticked_slider(const char* label, double& value, const SliderRange& range, std::span<const Tick> ticks,
+                   const std::string& text, Theme theme) {
   ImGuiContext& g = *GImGui;
   ImGuiWindow* window = ImGui::GetCurrentWindow();
   if (window->SkipItems) return false;

@@ -10,8 +10,8 @@ namespace psm {
 namespace {
 
 // Latin, Greek, punctuation, sub- and superscripts, arrows and mathematics, shapes: all are in DejaVu Sans.
-const ImWchar glyph_ranges[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x205F, 0x2070, 0x209F,
-                                0x2190, 0x22FF, 0x25A0, 0x25FF, 0};
+const ImWchar glyph_ranges[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x205F, 0x2070,
+                                0x209F, 0x2190, 0x22FF, 0x25A0, 0x25FF, 0};
 
 glm::vec3 hex(unsigned rgb) { return glm::vec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0f; }
 ImVec4 vec4(const glm::vec3& c, float alpha = 1.0f) { return {c.r, c.g, c.b, alpha}; }
@@ -78,7 +78,7 @@ void set_spacing(ImGuiStyle& style) {
   style.GrabMinSize = style.ScrollbarSize = 16;
   style.WindowBorderSize = style.PopupBorderSize = 1;
   style.ChildBorderSize = 0;
-  style.FrameBorderSize = 0;
+  style.FrameBorderSize = 1;  // fields and buttons stand out from the pane by 3:1
 }
 
 }  // namespace
@@ -87,6 +87,7 @@ void apply_look(const LookKey& look, const std::filesystem::path& font) {
   ImGuiStyle style;  // fresh: ScaleAllSizes accumulates
   set_spacing(style);
   style.ScaleAllSizes(float(look.scale));
+  style.FrameBorderSize = style.PopupBorderSize = float(std::max(1.0, std::floor(look.scale)));
   const Tones t = tones(look.theme);
   set_surfaces(style.Colors, t);
   set_controls(style.Colors, t);

@@ -11,8 +11,8 @@
 
 namespace psm {
 
-/// Where each widget stood in the last frame, by name ("camera.near", "light.to_light.x", "theta", "view.world"): tests and scripts
-/// find them here.
+/// Where each widget stood in the last frame, by name ("camera.near", "light.to_light.x", "theta", "view.world"): tests and
+/// scripts find them here.
 using Places = std::map<std::string, Rect>;
 
 struct UiContext {
@@ -29,6 +29,6 @@ void note_place(UiContext& ui, const std::string& name);
 void rest_tooltip(const std::string& text);
 
 /// A short number: at most `digits` significant ones; "∞" for infinity.
-std::string short_number(double value, int digits = 4);
+std::string shown_number(double value, int digits = 4);
 
 }  // namespace psm

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// With MAY_DISCARD: cutoff textures and the cube view's limit; without, cards test depth before they shade. DEPTH_ONLY: no shading.
+// Hemisphere light from above and one light with shadows. No fall-off with distance: shadows have to be read, not admired.
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_texcoord;
+in vec4 v_color;
+
+uniform sampler2D u_texture;
+uniform bool u_textured;
+uniform vec4 u_base_color;
+uniform float u_alpha_cutoff;
+uniform bool u_has_surface;  // false for lines and points: they have no side that could face the light
+
+uniform vec4 u_light;         // homogeneous, towards the light, local space
+uniform vec3 u_spot_axis;     // into the scene, unit
+uniform vec2 u_spot_cosines;  // of the edge and of where it starts to soften; (-2, -2): no cone
+
+uniform sampler2DArrayShadow u_map;
+uniform mat4 u_map_from_local[6];
+uniform int u_map_count;
+uniform float u_receiver_bias;  // 1, or less where the caster's bias is below one texel: without bias, acne is to be seen
+
+uniform mat4 u_cube_from_local;
+uniform float u_cube_limit;  // 0: no limit
+uniform vec3 u_ground;       // what it fades to, sRGB
+
+out vec4 o_color;
+
+vec3 g_along_x, g_along_y;  // two directions in the surface
+
+// Chosen so that a near-white floor (0.85) is #E8E8E8 in the light and #808080 in shadow, 3.2 to 1.
+const vec3 kSkyLight = vec3(0.250, 0.255, 0.262);
+const vec3 kGroundLight = vec3(0.150, 0.150, 0.148);
+const vec3 kLight = vec3(0.700, 0.695, 0.688);
+
+// The texel's depth was taken at its centre: how much nearer (or 0) the surface's plane is there than at this fragment. Without
+// it, curved surfaces shadow themselves where the light grazes them, since a caster's bias knows only its own triangle's slope.
+float shift_to_centre(mat4 map, vec4 q, vec2 at) {
+  vec4 x = map * vec4(g_along_x, 0.0), y = map * vec4(g_along_y, 0.0);
+  vec3 device = q.xyz / q.w;
+  vec3 dx = (x.xyz - device * x.w) / q.w, dy = (y.xyz - device * y.w) / q.w;
+  float area = dx.x * dy.y - dx.y * dy.x;
+  if (abs(area) <= 1e-5 * length(dx.xy) * length(dy.xy)) return 0.0;  // seen from its edge
+  vec2 slope = vec2(dx.z * dy.y - dy.z * dx.y, dy.z * dx.x - dx.z * dy.x) / area;
+  vec2 texels = at * float(textureSize(u_map, 0).x);
+  vec2 to_centre = (floor(texels) + 0.5 - texels) / float(textureSize(u_map, 0).x);
+  return min(dot(slope, to_centre), 0.0) * u_receiver_bias;
+}
+
+float shadow_test(vec3 position) {
+  for (int i = 0; i < u_map_count; ++i) {
+    vec4 q = u_map_from_local[i] * vec4(position, 1.0);
+    // A little wider than the map, so that nothing falls between two of six.
+    if (q.w > 0.0 && max(abs(q.x), abs(q.y)) <= 1.00001 * q.w) {
+      vec3 at = 0.5 * q.xyz / q.w + 0.5;
+      at.z += shift_to_centre(u_map_from_local[i], q, at.xy);
+      return texture(u_map, vec4(at.xy, float(i), clamp(at.z, 0.0, 1.0)));
+    }
+  }
+  return 1.0;
+}
+
+float direct_light(vec3 normal) {
+  vec3 to_light = u_light.xyz - u_light.w * v_position;
+  to_light /= max(length(to_light), 1e-20);
+  float cosine = u_has_surface ? dot(normal, to_light) : 1.0;
+  float cone = u_spot_cosines.x < -1.0 ? 1.0 : smoothstep(u_spot_cosines.x, u_spot_cosines.y, dot(-to_light, u_spot_axis));
+  if (cosine <= 0.0 || cone <= 0.0) return 0.0;
+  // The square root keeps raking light bright enough for its shadows to be seen; where it only grazes, the map has nothing to say.
+  return sqrt(cosine) * smoothstep(0.0, 0.1, cosine) * cone * shadow_test(v_position);
+}
+
+vec3 encode(vec3 linear) {
+  return mix(1.055 * pow(max(linear, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, vec3(lessThan(linear, vec3(0.0031308))));
+}
+
+// How far the point is on its way to the limit: 0 inside, 1 at the limit and beyond.
+float distance_fade() {
+  vec4 cube = u_cube_from_local * vec4(v_position, 1.0);
+  float reach = max(max(abs(cube.x), abs(cube.y)), abs(cube.z));
+  return smoothstep(0.75, 1.0, reach / max(abs(cube.w) * u_cube_limit, 1e-20));
+}
+
+void main() {
+  vec4 albedo = u_base_color * v_color;
+  float fade = 0.0;
+#ifdef MAY_DISCARD
+  if (u_textured) albedo *= texture(u_texture, v_texcoord);
+  if (albedo.a < u_alpha_cutoff) discard;
+  fade = u_cube_limit > 0.0 ? distance_fade() : 0.0;
+  if (fade >= 1.0) discard;
+#elif !defined(DEPTH_ONLY)
+  if (u_textured) albedo *= texture(u_texture, v_texcoord);
+#endif
+
+#ifdef DEPTH_ONLY
+  o_color = vec4(fade);
+#else
+  g_along_x = u_has_surface ? dFdx(v_position) : vec3(0.0);
+  g_along_y = u_has_surface ? dFdy(v_position) : vec3(0.0);
+  vec3 normal = v_normal / max(length(v_normal), 1e-20) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 ambient = mix(kGroundLight, kSkyLight, u_has_surface ? 0.5 + 0.5 * normal.y : 1.0);
+  vec3 color = encode(clamp(albedo.rgb * (ambient + kLight * direct_light(normal)), 0.0, 1.0));
+  o_color = vec4(mix(color, u_ground, fade), 1.0);
+#endif
+}

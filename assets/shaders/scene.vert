@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 2) in vec2 a_texcoord;
+layout(location = 3) in vec4 a_color;
+uniform mat4 u_clip_from_local;
+uniform float u_sign;  // -1: the other side of w = 0
+uniform float u_point_size;
+out vec3 v_position;
+out vec3 v_normal;
+out vec2 v_texcoord;
+out vec4 v_color;
+
+void main() {
+  gl_Position = u_sign * (u_clip_from_local * vec4(a_position, 1.0));
+  gl_PointSize = u_point_size;
+  v_position = a_position;
+  v_normal = a_normal;
+  v_texcoord = a_texcoord;
+  v_color = a_color;
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "picture.h"
+#include "run_program.h"
+
+namespace psm::testing {
+namespace {
+
+using ::testing::ElementsAre;
+
+Image rendered(std::vector<std::string> arguments) {
+  const Folder folder;
+  arguments.insert(arguments.begin(), "render");
+  arguments.insert(arguments.end(), {"--out", folder / "x.png"});
+  const Outcome run = run_program(arguments);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(folder.names(), ElementsAre("x.png"));
+  const auto image = read_png(folder / "x.png");
+  EXPECT_TRUE(image);
+  return image.value_or(Image{});
+}
+
+TEST(Render, EachViewHasItsSizeAndShowsSomething) {
+  for (const char* view : {"world", "cube", "map", "eye"}) {
+    const Image image = rendered({"chessboard", "--view", view, "--size", "320x180"});
+    ASSERT_EQ(image.width, 320) << view;
+    ASSERT_EQ(image.height, 180) << view;
+    EXPECT_TRUE(shows_something(image, 0, 0, 320, 180)) << view;
+  }
+}
+
+TEST(Render, SeveralViewsShareAPicture) {
+  RenderRequest request;
+  request.views.assign(std::begin(kAllViews), std::end(kAllViews));
+  request.size = {640, 480};
+  const auto layout = lay_out(request);
+  ASSERT_TRUE(layout);
+  const Image image = rendered({"ground", "--view", "world,cube,map,eye", "--size", "640x480"});
+  ASSERT_EQ(image.width, 640);
+  ASSERT_EQ(image.height, 480);
+  for (const glm::ivec2& origin : layout->origins)
+    EXPECT_TRUE(shows_something(image, origin.x, origin.y, layout->tile.x, layout->tile.y)) << origin.x << " " << origin.y;
+  ASSERT_GT(layout->status_height, 0);
+  EXPECT_TRUE(shows_something(image, 0, 480 - layout->status_height, 640, layout->status_height));
+}
+
+TEST(Render, TheSizeIsTheExperimentsImageUnlessGiven) {
+  const Image image = rendered({"ground", "--view", "eye", "--set", "image.width=200", "--set", "image.height=100"});
+  EXPECT_EQ(image.width, 200);
+  EXPECT_EQ(image.height, 100);
+}
+
+TEST(Render, ASinglePixelIsAPicture) {
+  const Image image = rendered({"ground", "--view", "eye", "--size", "1x1"});
+  EXPECT_EQ(image.rgba.size(), 4u);
+}
+
+TEST(Render, IsTheSameEveryTime) {
+  const std::vector<std::string> arguments{"ground", "--view", "world", "--size", "160x120"};
+  EXPECT_EQ(rendered(arguments).rgba, rendered(arguments).rgba);
+}
+
+TEST(Render, ThemesDiffer) {
+  const Image light = rendered({"ground", "--view", "world", "--size", "160x120", "--theme", "light"});
+  const Image dark = rendered({"ground", "--view", "world", "--size", "160x120", "--theme", "dark"});
+  EXPECT_GT(difference(light, dark, 16).fraction, 0.2);
+}
+
+TEST(Render, TheEyesShadowsComeFromTheMap) {
+  const std::vector<std::string> base{"chessboard", "--view", "eye", "--size", "320x180"};
+  std::vector<std::string> turned = base;
+  turned.insert(turned.end(), {"--set", "light.type=directional", "--set", "light.to_light=1,0.4,0"});
+  std::vector<std::string> overhead = base;
+  overhead.insert(overhead.end(), {"--set", "light.type=directional", "--set", "light.to_light=0,1,0"});
+  EXPECT_GT(difference(rendered(turned), rendered(overhead), 16).fraction, 0.02);
+}
+
+TEST(Window, WithoutADisplayTheViewsBecomeAPicture) {
+  const Folder folder;
+  const Outcome run = run_program({"ground"}, folder.path());
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(is_one_line(run.err)) << run.err;
+  EXPECT_THAT(run.err, ::testing::HasSubstr("no display"));
+  EXPECT_EQ(run.out, std::filesystem::canonical(folder.path()).string() + "/psmlab-views.png\n");
+  EXPECT_THAT(folder.names(), ElementsAre("psmlab-views.png"));
+  EXPECT_TRUE(read_png(folder / "psmlab-views.png"));
+}
+
+TEST(Render, WithoutOpenGLItSaysSoInOneLine) {
+  const Folder folder;
+  setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1);
+  const Outcome run = run_program({"render", "ground", "--view", "eye", "--out", folder / "x.png"});
+  unsetenv("__EGL_VENDOR_LIBRARY_DIRS");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(is_one_line(run.err)) << run.err;
+  EXPECT_THAT(folder.names(), ::testing::IsEmpty());
+}
+
+TEST(Layout, ViewsDoNotOverlapAndStayInside) {
+  for (int count = 1; count <= 4; ++count) {
+    RenderRequest request;
+    request.views.assign(std::begin(kAllViews), std::begin(kAllViews) + count);
+    request.size = {333, 257};
+    const auto layout = lay_out(request);
+    ASSERT_TRUE(layout);
+    ASSERT_EQ(int(layout->origins.size()), count);
+    for (int i = 0; i < count; ++i) {
+      const glm::ivec2 a = layout->origins[i];
+      EXPECT_GE(a.x, 0);
+      EXPECT_GE(a.y, 0);
+      EXPECT_LE(a.x + layout->tile.x, request.size.x);
+      EXPECT_LE(a.y + layout->tile.y, request.size.y - layout->status_height);
+      for (int j = 0; j < i; ++j) {
+        const glm::ivec2 b = layout->origins[j];
+        EXPECT_TRUE(std::abs(a.x - b.x) >= layout->tile.x || std::abs(a.y - b.y) >= layout->tile.y);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace psm::testing

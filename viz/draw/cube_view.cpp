@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The unit cube: everything after the eye's projection P V, where the light may be a point, an inverted point or a direction, and
+// where what crosses the camera plane is torn through infinity.
+#include <cmath>
+#include <optional>
+
+#include "draw/sketch.h"
+#include "math/projective.h"
+
+namespace psm {
+namespace {
+
+constexpr double limit = 3.0;        // cubes
+constexpr double clear_limit = 2.5;  // beyond this it fades
+constexpr double body_limit = 1.75;  // the same for bodies, whose fills end there
+constexpr double patch_half = 1.35;  // of the infinity plane
+constexpr int light_rays = 4;
+
+Limits cube_limits(double clear) { return {{glm::dvec3(-clear), glm::dvec3(clear)}, {glm::dvec3(-limit), glm::dvec3(limit)}}; }
+
+/// Depth of the plane to which P sends the plane at infinity: (f + n) / (f - n), and 1 for f = infinity.
+double infinity_depth(const CameraSettings& camera) {
+  return std::isinf(camera.far) ? 1.0 : (camera.far + camera.near) / (camera.far - camera.near);
+}
+
+class CubeView {
+ public:
+  CubeView(const Analysis& analysis, double aspect)
+      : analysis_(analysis),
+        view_(view_camera(ViewId::cube, analysis, aspect)),
+        sketch_(cube_limits(clear_limit)),
+        light_(analysis.clip_from_world() * analysis.light) {}
+
+  ViewPicture picture() {
+    bodies();
+    cube();
+    axes();
+    view_rays();
+    infinity_plane();
+    light_rays_in_cube();
+    light();
+    ViewPicture picture;
+    picture.id = ViewId::cube;
+    picture.title = "Unit cube";
+    picture.scene = ScenePicture::projective;
+    picture.cube_from_world = analysis_.clip_from_world();
+    picture.cube_limit = limit;
+    picture.clip_from_list = view_.clip_from_space;
+    picture.clip_from_world = view_.clip_from_space * picture.cube_from_world;
+    picture.list = std::move(sketch_.list);
+    return picture;
+  }
+
+ private:
+  const ConvexBody& lit_body() const {
+    return analysis_.receivers_body.empty() ? analysis_.scene_body : analysis_.receivers_body;
+  }
+
+  void bodies() {
+    const glm::dmat4 cube_from_world = analysis_.clip_from_world();
+    const ConvexBody &h = analysis_.caster_body, &r = analysis_.receivers_body;
+    Sketch bodies(cube_limits(body_limit));
+    if (!h.empty()) {
+      bodies.body(h, cube_from_world, 0.09, {Role::caster_body, 1.5});
+      body_label(h, {-0.8, 1.0}, "H'", Role::caster_body, 6);
+    }
+    if (!r.empty()) {
+      bodies.body(r, cube_from_world, 0.15, {Role::receivers_body, 1.75});
+      body_label(r, {0.5, -1.0}, "R'", Role::receivers_body, 7);
+    }
+    sketch_.append(std::move(bodies.list));
+  }
+
+  void body_label(const ConvexBody& body, const glm::dvec2& direction, const char* text, Role role, int priority) {
+    std::vector<glm::dvec3> shown;
+    for (const auto& [i, j] : body_edges(body)) {
+      const glm::dvec4 p = analysis_.clip_from_world() * at(body.vertices[i]),
+                       q = analysis_.clip_from_world() * at(body.vertices[j]);
+      for (const Piece& piece : split_segment(p, q, cube_limits(body_limit).inner)) shown.insert(shown.end(), {piece.a, piece.b});
+    }
+    if (!shown.empty()) sketch_.label(view_.furthest(shown, direction), text, role, priority);
+  }
+
+  void cube() {
+    const auto corners = cube_corners();
+    for (const auto& [i, j] : box_edges()) sketch_.line(corners[i], corners[j], {Role::frustum, i < 4 && j < 4 ? 2.5 : 2.0});
+    sketch_.label({0.0, -1.0, -1.0}, "near", Role::frustum, 8);
+    sketch_.label(view_.furthest({corners[6], corners[7]}, {1.0, 1.0}), "far", Role::frustum, 8);
+  }
+
+  /// Beside the near face's lower corner, where they are in nothing's way.
+  void axes() {
+    const glm::dvec3 origin(-1.0, -1.0, -1.0);
+    for (int i = 0; i < 3; ++i) {
+      glm::dvec3 tip = origin;
+      tip[i] += 0.5;
+      sketch_.line(origin, tip, {Role::text, 2.5}, Head::arrow);
+      sketch_.label(tip, std::string(1, "xyz"[i]) + "'", Role::text, 5);
+    }
+  }
+
+  /// The eye is at infinity on the negative z' axis: its view rays are parallel.
+  void view_rays() {
+    for (double x : {-0.5, 0.5}) {
+      for (double y : {-0.5, 0.5}) sketch_.line({x, y, -1.7}, {x, y, -1.08}, {Role::frustum, 1.5}, Head::arrow);
+    }
+    const std::vector<glm::dvec3> tails{{-0.5, -0.5, -1.7}, {0.5, -0.5, -1.7}, {0.5, 0.5, -1.7}, {-0.5, 0.5, -1.7}};
+    sketch_.label(view_.furthest(tails, {-1.0, -0.5}), "from the eye", Role::frustum, 1);
+  }
+
+  void infinity_plane() {
+    const double z = infinity_depth(analysis_.experiment.camera);
+    if (!(z < body_limit)) return;
+    const std::vector<glm::dvec3> corners{
+        {-patch_half, -patch_half, z}, {patch_half, -patch_half, z}, {patch_half, patch_half, z}, {-patch_half, patch_half, z}};
+    std::vector<glm::dvec4> polygon;
+    for (int i = 0; i < 4; ++i) {
+      polygon.push_back(at(corners[i]));
+      sketch_.line(corners[i], corners[(i + 1) % 4], {Role::infinity, 1.75, LineStyle::dashed});
+    }
+    sketch_.fill(polygon, Role::infinity, 0.10);
+    sketch_.label(view_.furthest(corners, {1.0, 0.3}), "∞ plane z' = " + short_number(z, 4), Role::infinity, 9);
+  }
+
+  /// From the light to the receiver, as light travels. Where a ray crosses w = 0 it leaves towards infinity and comes back from
+  /// the other side, so an inverted light's rays converge on it.
+  void light_rays_in_cube() {
+    bool named = false;
+    for (const glm::dvec3& target : ray_targets(lit_body(), analysis_.light, light_rays)) {
+      const glm::dvec4 end = analysis_.clip_from_world() * at(target);
+      for (const Piece& piece : split_segment(light_, end, sketch_.limits().outer)) {
+        const Pen pen{Role::light, 1.75};
+        if (!piece.cut_b) {
+          sketch_.piece(piece, pen, Head::arrow);
+        } else if (const auto exit = draw_exit(piece, pen); exit && !named) {
+          sketch_.label(*exit, "∞", Role::infinity, 6);
+          named = true;
+        }
+      }
+    }
+  }
+
+  /// A ray that leaves for infinity: the head stands where it leaves the clear part of the picture. None where that is out of
+  /// sight.
+  std::optional<glm::dvec3> draw_exit(const Piece& piece, const Pen& pen) {
+    const auto clear = clip_segment(at(piece.a), at(piece.b), sketch_.limits().inner);
+    const auto seen = clear ? view_.visible_part(clear->a, clear->b) : std::nullopt;
+    if (!seen) {
+      sketch_.piece(piece, pen);
+      return std::nullopt;
+    }
+    sketch_.piece({piece.a, seen->b}, pen, Head::arrow);
+    sketch_.piece({seen->b, piece.b}, pen);
+    return seen->b;
+  }
+
+  void light() {
+    const PostLight post = analysis_.light_case.post;
+    const glm::dvec3 p = glm::dvec3(light_) / light_.w;
+    if (post == PostLight::directional || !std::isfinite(p.x + p.y + p.z)) return direction_label();
+    const std::string name = post == PostLight::point ? "l' (point)" : "l' (inverted point)";
+    if (sketch_.limits().outer.contains(p) && view_.sees(p, 0.95)) {
+      draw_lamp(sketch_, view_, p, 8);
+      sketch_.label(p, name, Role::light, 10);
+    } else {
+      light_outside(p, name);
+    }
+  }
+
+  /// An arrow towards a light that is too far away to be shown, with its coordinates.
+  void light_outside(const glm::dvec3& p, const std::string& name) {
+    const glm::dvec3 direction = safe_normalize(p);
+    const Pen pen{Role::light, 2.5, LineStyle::dashed};
+    glm::dvec3 tip = direction * 1.7;
+    for (int i = 0; i < 8 && !view_.sees(tip, 0.9); ++i) tip *= 0.92;
+    sketch_.line(0.8 * tip, tip, pen, Head::arrow);
+    const std::string where = short_number(p.x) + ", " + short_number(p.y) + ", " + short_number(p.z);
+    sketch_.label(tip, name + " at (" + where + ")", Role::light, 10);
+  }
+
+  void direction_label() {
+    for (const DrawLine& line : sketch_.list.lines) {
+      if (line.role != Role::light) continue;
+      if (const auto middle = view_.visible_middle(glm::dvec3(line.a), glm::dvec3(line.b))) {
+        return sketch_.label(*middle, "l' (directional)", Role::light, 10);
+      }
+    }
+  }
+
+  const Analysis& analysis_;
+  Viewpoint view_;
+  Sketch sketch_;
+  glm::dvec4 light_;
+};
+
+}  // namespace
+
+ViewPicture describe_cube(const Analysis& analysis, glm::ivec2 size) { return CubeView(analysis, aspect_of(size)).picture(); }
+
+}  // namespace psm

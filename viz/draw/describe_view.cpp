@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "draw/sketch.h"
+
+namespace psm {
+namespace {
+
+bool drawable(const glm::dvec4& q) { return q.w > 0.0 && std::isfinite(q.x + q.y + q.z + q.w); }
+
+bool drawable(const DrawFill& fill) {
+  for (const glm::dvec4& corner : fill.corners) {
+    if (!drawable(corner)) return false;
+  }
+  return fill.corners.size() >= 3;
+}
+
+/// Coordinates near the end of the number range overflow somewhere; what did is left out rather than drawn wrongly.
+void drop_overflow(DrawList& list) {
+  std::erase_if(list.lines, [](const DrawLine& line) { return !drawable(line.a) || !drawable(line.b); });
+  std::erase_if(list.fills, [](const DrawFill& fill) { return !drawable(fill); });
+  std::erase_if(list.points, [](const DrawPoint& point) { return !drawable(point.position); });
+  std::erase_if(list.labels, [](const DrawLabel& label) { return !drawable(label.anchor); });
+}
+
+ViewPicture describe(ViewId id, const Analysis& analysis, glm::ivec2 size) {
+  switch (id) {
+    case ViewId::world:
+      return describe_world(analysis, size);
+    case ViewId::cube:
+      return describe_cube(analysis, size);
+    case ViewId::map:
+      return describe_map(analysis, size);
+    case ViewId::eye:
+      return describe_eye(analysis, size);
+  }
+  return {};
+}
+
+}  // namespace
+
+double aspect_of(glm::ivec2 size) { return size.x > 0 && size.y > 0 ? double(size.x) / size.y : 1.0; }
+
+ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene&, glm::ivec2 size) {
+  ViewPicture picture = describe(id, analysis, size);
+  drop_overflow(picture.list);
+  return picture;
+}
+
+}  // namespace psm

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/glyph_atlas.h"
+
+#include <array>
+#include <cmath>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define STBRP_STATIC
+#define STB_RECT_PACK_IMPLEMENTATION
+#include <stb/stb_rect_pack.h>
+#define STBTT_STATIC
+#define STB_TRUETYPE_IMPLEMENTATION
+#include <stb/stb_truetype.h>
+#pragma GCC diagnostic pop
+
+namespace psm::gl {
+namespace {
+
+struct Range {
+  int first, last;
+};
+// Latin, Greek, punctuation, scripts, letterlike, arrows and operators, geometric shapes.
+constexpr std::array<Range, 8> kRanges{{{0x20, 0x7E},
+                                        {0xA0, 0xFF},
+                                        {0x370, 0x3FF},
+                                        {0x2010, 0x205F},
+                                        {0x2070, 0x209F},
+                                        {0x2100, 0x214F},
+                                        {0x2190, 0x22FF},
+                                        {0x25A0, 0x25FF}}};
+constexpr char32_t kMissing = 0x25A1;
+constexpr int kOversampleX = 2, kFirstSide = 512, kLargestSide = 8192;
+
+/// How many bytes follow a first byte, and the bits it gives; -1: it cannot be a first byte.
+int continuation(unsigned char lead, char32_t& bits) {
+  if (lead < 0x80) return bits = lead, 0;
+  if ((lead & 0xE0) == 0xC0) return bits = lead & 0x1F, 1;
+  if ((lead & 0xF0) == 0xE0) return bits = lead & 0x0F, 2;
+  if ((lead & 0xF8) == 0xF0) return bits = lead & 0x07, 3;
+  return -1;
+}
+
+Glyph make_glyph(const stbtt_packedchar& packed, int side) {
+  Glyph glyph;
+  glyph.min = {packed.xoff, packed.yoff};
+  glyph.max = {packed.xoff2, packed.yoff2};
+  glyph.atlas_min = glm::vec2(packed.x0, packed.y0) / float(side);
+  glyph.atlas_max = glm::vec2(packed.x1, packed.y1) / float(side);
+  glyph.advance = packed.xadvance;
+  return glyph;
+}
+
+}  // namespace
+
+std::u32string decode_utf8(const std::string& text) {
+  std::u32string out;
+  for (std::size_t i = 0; i < text.size();) {
+    char32_t code = 0xFFFD;
+    const int more = continuation(static_cast<unsigned char>(text[i]), code);
+    ++i;
+    for (int k = 0; k < more; ++k, ++i) {
+      if (i >= text.size() || (text[i] & 0xC0) != 0x80) {
+        code = 0xFFFD;
+        break;
+      }
+      code = (code << 6) | (static_cast<unsigned char>(text[i]) & 0x3F);
+    }
+    out.push_back(more < 0 ? U'\xFFFD' : code);
+  }
+  return out;
+}
+
+GlyphAtlas::GlyphAtlas(const std::string& font, int pixel_size) {
+  int side = kFirstSide;
+  while (!bake(font, pixel_size, side) && side < kLargestSide) side *= 2;
+}
+
+bool GlyphAtlas::bake(const std::string& font, int pixel_size, int side) {
+  const auto* bytes = reinterpret_cast<const unsigned char*>(font.data());
+  stbtt_fontinfo info;
+  if (font.empty() || !stbtt_InitFont(&info, bytes, stbtt_GetFontOffsetForIndex(bytes, 0)))
+    fail("psmlab: the font for labels is not a TrueType font");
+  int ascent = 0, descent = 0, line_gap = 0;
+  stbtt_GetFontVMetrics(&info, &ascent, &descent, &line_gap);
+  const double unit = stbtt_ScaleForPixelHeight(&info, float(pixel_size));
+  ascent_ = std::round(ascent * unit);
+  height_ = pixel_size;
+
+  std::vector<std::uint8_t> coverage(std::size_t(side) * std::size_t(side));
+  stbtt_pack_context pack;
+  if (!stbtt_PackBegin(&pack, coverage.data(), side, side, 0, 1, nullptr)) return false;
+  stbtt_PackSetOversampling(&pack, kOversampleX, 1);
+  stbtt_PackSetSkipMissingCodepoints(&pack, 1);
+  bool fits = true;
+  for (const Range& range : kRanges) {
+    std::vector<stbtt_packedchar> packed(std::size_t(range.last - range.first + 1));
+    fits = stbtt_PackFontRange(&pack, bytes, 0, float(pixel_size), range.first, int(packed.size()), packed.data()) && fits;
+    for (std::size_t i = 0; i < packed.size(); ++i) {
+      const int character = range.first + int(i);
+      if (stbtt_FindGlyphIndex(&info, character) != 0) glyphs_[char32_t(character)] = make_glyph(packed[i], side);
+    }
+  }
+  stbtt_PackEnd(&pack);
+  upload(coverage, side);
+  return fits;
+}
+
+void GlyphAtlas::upload(const std::vector<std::uint8_t>& coverage, int side) {
+  glBindTexture(GL_TEXTURE_2D, texture_.get());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, side, side, 0, GL_RED, GL_UNSIGNED_BYTE, coverage.data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+const Glyph& GlyphAtlas::glyph(char32_t character) const {
+  static const Glyph kNothing{};
+  if (const auto found = glyphs_.find(character); found != glyphs_.end()) return found->second;
+  const auto missing = glyphs_.find(kMissing);
+  return missing != glyphs_.end() ? missing->second : kNothing;
+}
+
+glm::dvec2 GlyphAtlas::text_size(const std::string& text) const {
+  double width = 0.0;
+  for (const char32_t character : decode_utf8(text)) width += glyph(character).advance;
+  return {std::ceil(width), height_};
+}
+
+}  // namespace psm::gl

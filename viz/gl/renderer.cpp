@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gl/gl_state.h"
+#include "gl/list_pass.h"
+#include "gl/scene_pass.h"
+#include "gl/shadow_pass.h"
+#include "gl/theme.h"
+#include "gl/view_target.h"
+
+namespace psm {
+
+struct Renderer::State {
+  State(const std::filesystem::path& shaders, const std::filesystem::path& font)
+      : shadow_pass(shaders), scene_pass(shaders), map_pass(shaders), list_pass(shaders, font) {}
+
+  gl::ViewTarget& target(ViewId id) { return targets[std::size_t(id)]; }
+
+  gl::SceneBuffers scene;
+  gl::ShadowPass shadow_pass;
+  gl::ScenePass scene_pass;
+  gl::MapPass map_pass;
+  gl::ListPass list_pass;
+  gl::MultisampleTarget multisample;
+  std::array<gl::ViewTarget, kAllViews.size()> targets;  // by ViewId
+};
+
+namespace {
+
+struct PixelRect {
+  int left, bottom, right, top;
+};
+
+/// The clip-space rectangle min x, min y, max x, max y in whole pixels, inside the picture.
+PixelRect pixel_rect(const glm::dvec4& rect, glm::ivec2 size) {
+  const auto pixel = [](double clip, int extent) { return int(std::lround((std::clamp(clip, -1.0, 1.0) * 0.5 + 0.5) * extent)); };
+  return {pixel(rect.x, size.x), pixel(rect.y, size.y), pixel(rect.z, size.x), pixel(rect.w, size.y)};
+}
+
+void clear(const PixelRect& rect, const glm::vec3& color) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(rect.left, rect.bottom, std::max(0, rect.right - rect.left), std::max(0, rect.top - rect.bottom));
+  const std::array<float, 4> rgba{color.r, color.g, color.b, 1.0f};
+  const float far_end = 1.0f;
+  glClearBufferfv(GL_COLOR, 0, rgba.data());
+  glClearBufferfv(GL_DEPTH, 0, &far_end);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+/// Clears beside the eye's image, after the scene: some drivers let multisampled triangles reach beyond a scissor.
+void clear_outside(const ViewPicture& picture, glm::ivec2 size, Theme theme) {
+  const PixelRect image = pixel_rect(picture.image_rect, size);
+  for (const PixelRect& bar : {PixelRect{0, 0, image.left, size.y}, PixelRect{image.right, 0, size.x, size.y},
+                               PixelRect{0, 0, size.x, image.bottom}, PixelRect{0, image.top, size.x, size.y}}) {
+    if (bar.left < bar.right && bar.bottom < bar.top) clear(bar, gl::outside_color(theme));
+  }
+}
+
+}  // namespace
+
+Renderer::Renderer(const std::filesystem::path& assets, const std::filesystem::path& font) {
+  const gl::StateGuard guard;
+  state_ = std::make_unique<State>(assets / "shaders", font);
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::set_scene(const Scene& scene) {
+  const gl::StateGuard guard;
+  state_->scene.upload(scene);
+  gl::check_errors("set_scene");
+}
+
+void Renderer::draw_shadow_map(const Analysis& analysis) {
+  const gl::StateGuard guard;
+  state_->shadow_pass.draw(state_->scene, analysis);
+  gl::check_errors("draw_shadow_map");
+}
+
+std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& analysis, glm::ivec2 size, double scale,
+                                  Theme theme) {
+  const gl::StateGuard guard;
+  State& s = *state_;
+  size = gl::allowed_size(size);
+  gl::ViewTarget& target = s.target(picture.id);
+  target.resize(size);
+  s.multisample.reserve(size);
+  // What the map pass has to read back comes before this picture's framebuffer is bound.
+  if (picture.scene == ScenePicture::map_depth) s.map_pass.prepare(s.shadow_pass);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, s.multisample.framebuffer());
+  glViewport(0, 0, size.x, size.y);
+  clear({0, 0, size.x, size.y}, gl::ground_color(theme));  // the framebuffer may be larger than the picture
+  if (picture.scene == ScenePicture::map_depth)
+    s.map_pass.draw(picture, s.shadow_pass, scale, theme);
+  else
+    s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, theme);
+  clear_outside(picture, size, theme);
+  s.list_pass.draw(picture, {glm::dvec2(size), scale, theme});
+  target.resolve_from(s.multisample);
+  gl::check_errors("draw_view");
+  return target.texture();
+}
+
+Image Renderer::read_view(ViewId id) {
+  const gl::StateGuard guard;
+  const gl::ViewTarget& target = state_->target(id);
+  return {target.size().x, target.size().y, target.read_top_to_bottom()};
+}
+
+std::vector<float> Renderer::read_map_depth() {
+  const gl::StateGuard guard;
+  return state_->shadow_pass.read_depth();
+}
+
+int Renderer::map_resolution() const { return state_->shadow_pass.resolution(); }
+
+}  // namespace psm

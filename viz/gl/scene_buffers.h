@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scene on the graphics card. Positions are local: (world - centre of bounds) / half the largest side, subtracted in double,
+// so that scenes far from the origin, huge or tiny, keep all the bits that a float has.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "gl/gl_objects.h"
+#include "scene/scene.h"
+
+namespace psm::gl {
+
+enum class Primitive { triangles, lines, points };
+
+/// All indices of one material and primitive.
+struct Batch {
+  Primitive primitive = Primitive::triangles;
+  int material = 0;
+  std::size_t first = 0;  // in indices
+  GLsizei count = 0;
+};
+
+class SceneBuffers {
+ public:
+  SceneBuffers();
+  void upload(const Scene& scene);
+
+  const glm::dmat4& world_from_local() const { return world_from_local_; }
+  const glm::dmat4& local_from_world() const { return local_from_world_; }
+  const std::vector<Batch>& batches() const { return batches_; }
+  const Material& material(const Batch& batch) const { return materials_[std::size_t(batch.material)]; }
+
+  void bind() const { glBindVertexArray(array_.get()); }
+  /// Sets the material's uniforms of the program in use, and its texture on unit 0.
+  void bind_material(const Batch& batch, Program& program) const;
+  void draw(const Batch& batch) const;
+
+ private:
+  void set_frame(const Bounds& bounds);
+
+  glm::dmat4 world_from_local_{1.0}, local_from_world_{1.0};
+  std::vector<Material> materials_;
+  std::vector<Batch> batches_;
+  std::vector<GlTexture> textures_;
+  VertexArray array_;
+  Buffer vertices_, indices_;
+};
+
+}  // namespace psm::gl

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/scene_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gl/gl_state.h"
+#include "gl/theme.h"
+
+namespace psm::gl {
+namespace {
+
+constexpr double kConeEdge = glm::radians(1.0);  // how soft a spot's edge is, inwards
+constexpr float kPushBack = 1.5f;                // pixels of slope
+constexpr float kPointSize = 4.0f;               // pixels at scale 1, of a mesh's points
+
+/// Of any length but zero, to unit length; what is zero or not finite stays dark.
+glm::vec4 unit_light(const glm::dvec4& light) {
+  const double length = light.w == 0.0 ? glm::length(glm::dvec3(light)) : std::abs(light.w);
+  if (!(length > 0.0) || !std::isfinite(length)) return glm::vec4(0.0f);
+  return glm::vec4(light / length);
+}
+
+/// Counter-clockwise triangles stay so on the screen where the determinant is negative: OpenGL's own projections look down -z.
+bool front_is_clockwise(const glm::dmat4& clip_from_space) { return glm::determinant(clip_from_space) > 0.0; }
+
+struct MapCorner {
+  glm::vec4 clip;
+  glm::vec2 map;  // 0 to 1 over the picture
+};
+
+/// What is the same for all programs and batches of one picture.
+struct SceneUniforms {
+  glm::mat4 clip_from_local{1.0f}, cube_from_local{1.0f};
+  float cube_limit = 0.0f, point_size = 1.0f, receiver_bias = 1.0f;
+  glm::vec3 ground{1.0f}, spot_axis{0.0f};
+  glm::vec2 spot_cosines{-2.0f};
+  glm::vec4 light{0.0f};
+  std::span<const glm::mat4> maps_from_local;
+};
+
+void set_spot(SceneUniforms& to, const LightSettings& light) {
+  const glm::dvec3 to_target = light.target - light.position;
+  if (light.type != LightType::spot || !(glm::length(to_target) > 0.0)) return;
+  const double half = glm::radians(0.5 * light.cone_deg);
+  to.spot_axis = glm::vec3(glm::normalize(to_target));
+  to.spot_cosines = glm::vec2(std::cos(half), std::cos(half - std::min(kConeEdge, 0.2 * half)));
+}
+
+void use(Program& program, const SceneUniforms& values) {
+  program.use();
+  program.set("u_clip_from_local", values.clip_from_local);
+  program.set("u_cube_from_local", values.cube_from_local);
+  program.set("u_cube_limit", values.cube_limit);
+  program.set("u_point_size", values.point_size);
+  program.set("u_receiver_bias", values.receiver_bias);
+  program.set("u_ground", values.ground);
+  program.set("u_spot_axis", values.spot_axis);
+  program.set("u_spot_cosines", values.spot_cosines);
+  program.set("u_light", values.light);
+  program.set("u_map_from_local", values.maps_from_local);
+  program.set("u_map_count", int(values.maps_from_local.size()));
+  program.set("u_texture", 0);
+  program.set("u_map", 1);
+}
+
+/// The batches that need to discard fragments, or those that do not.
+void draw_batches(Program& program, const SceneBuffers& scene, bool all_discard, bool discarding) {
+  for (const Batch& batch : scene.batches()) {
+    if ((all_discard || scene.material(batch).alpha_cutoff > 0.0f) != discarding) continue;
+    program.set("u_has_surface", batch.primitive == Primitive::triangles ? 1 : 0);
+    scene.bind_material(batch, program);
+    scene.draw(batch);
+  }
+}
+
+/// Both sides of w = 0 where the picture is projective; the winding flips with the sign.
+void draw_scene(std::array<Program, 2>& programs, const SceneUniforms& values, const SceneBuffers& scene, bool projective,
+                bool clockwise_front) {
+  scene.bind();
+  for (const bool discarding : {false, true}) {
+    Program& program = programs[discarding ? 1 : 0];
+    use(program, values);
+    for (const float sign : {1.0f, -1.0f}) {
+      if (sign < 0.0f && !projective) continue;
+      program.set("u_sign", sign);
+      glFrontFace(clockwise_front == (sign > 0.0f) ? GL_CW : GL_CCW);
+      draw_batches(program, scene, projective, discarding);
+    }
+  }
+}
+
+}  // namespace
+
+ScenePass::ScenePass(const std::filesystem::path& shaders)
+    : shading_{Program(shaders, "scene", "scene"), Program(shaders, "scene", "scene", "#define MAY_DISCARD\n")},
+      depth_{Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n"),
+             Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n#define MAY_DISCARD\n")} {}
+
+void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map,
+                     double scale, Theme theme) {
+  const bool projective = picture.scene == ScenePicture::projective;
+  const glm::dmat4 clip_from_local = picture.clip_from_world * scene.world_from_local();
+  const auto clip = narrow(clip_from_local);
+  const auto cube = narrow(picture.cube_from_world * scene.world_from_local());
+  if (!clip || (projective && !cube)) return;
+
+  SceneUniforms values;
+  values.clip_from_local = *clip;
+  values.cube_from_local = cube.value_or(glm::mat4(1.0f));
+  values.cube_limit = projective ? float(picture.cube_limit) : 0.0f;
+  values.point_size = float(kPointSize * scale);
+  values.receiver_bias = float(std::clamp(analysis.experiment.shadow.depth_bias, 0.0, 1.0));
+  values.ground = ground_color(theme);
+  values.light = unit_light(scene.local_from_world() * analysis.light);
+  values.maps_from_local = map.maps_from_local();
+  set_spot(values, analysis.experiment.light);
+
+  map.bind_for_comparison(1);
+  glEnable(GL_DEPTH_TEST);
+  const bool clockwise = front_is_clockwise(clip_from_local);
+  draw_scene(shading_, values, scene, projective, clockwise);
+  const DrawList& list = picture.list;
+  if (list.lines.empty() && list.fills.empty() && list.points.empty()) return;
+
+  // The depth again, for what is drawn over the scene: farther by a line's width of slope, so that lines on a surface keep both
+  // halves of their width. Not in the pass that one sees, where it would let back faces through at silhouettes.
+  const float far_end = 1.0f;
+  glClearBufferfv(GL_DEPTH, 0, &far_end);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(kPushBack, 1.0f);
+  draw_scene(depth_, values, scene, projective, clockwise);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+MapPass::MapPass(const std::filesystem::path& shaders)
+    : program_(shaders, "map_depth", "map_depth"),
+      corners_(sizeof(MapCorner), {{0, 4, offsetof(MapCorner, clip)}, {1, 2, offsetof(MapCorner, map)}}) {}
+
+void MapPass::draw(const ViewPicture& picture, const ShadowPass& map, double scale, Theme theme) {
+  const auto clip = narrow(picture.clip_from_list);
+  if (!clip || map.layers() == 0) return;
+  const float half_height = map.layers() == 6 ? 2.0f / 3.0f : 1.0f;
+  const auto corner = [&](float u, float v) {
+    return MapCorner{*clip * glm::vec4(2.0f * u - 1.0f, (2.0f * v - 1.0f) * half_height, 0.0f, 1.0f), {u, v}};
+  };
+  const std::array<MapCorner, 6> corners{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 0), corner(1, 1), corner(0, 1)};
+  program_.use();
+  program_.set("u_map", 0);
+  program_.set("u_depth_range", depth_range_);
+  program_.set("u_tiles", map.layers() == 6 ? glm::vec2(3.0f, 2.0f) : glm::vec2(1.0f));
+  program_.set("u_ground", ground_color(theme));
+  program_.set("u_scale", float(scale));
+  map.bind_for_reading(0);
+  glDisable(GL_DEPTH_TEST);
+  corners_.upload(std::span<const MapCorner>(corners));
+  corners_.draw_triangles();
+}
+
+}  // namespace psm::gl

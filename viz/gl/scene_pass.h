@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lit scene with shadows from the map, and the map itself as a picture.
+#pragma once
+
+#include <array>
+#include <filesystem>
+
+#include "draw/view.h"
+#include "gl/gl_objects.h"
+#include "gl/renderer.h"
+#include "gl/scene_buffers.h"
+#include "gl/shadow_pass.h"
+
+namespace psm::gl {
+
+class ScenePass {
+ public:
+  explicit ScenePass(const std::filesystem::path& shaders);
+
+  /// ScenePicture::shadowed and ::projective, into the bound framebuffer, with depth.
+  void draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map, double scale,
+            Theme theme);
+
+ private:
+  std::array<Program, 2> shading_, depth_;  // each: without and with fragments that may be discarded
+};
+
+class MapPass {
+ public:
+  explicit MapPass(const std::filesystem::path& shaders);
+
+  /// Reads the depths in use back, with a framebuffer of its own; before draw().
+  void prepare(ShadowPass& map) { depth_range_ = map.used_range(); }
+
+  /// ScenePicture::map_depth: layer 0 in the square [-1, 1]^2 of the list's space, or the six as a sheet of 3 x 2 squares, +x -x
+  /// +y above -y +z -z, as wide as the square. Near is light, far is dark, hatched where no caster is.
+  void draw(const ViewPicture& picture, const ShadowPass& map, double scale, Theme theme);
+
+ private:
+  Program program_;
+  VertexStream corners_;
+  glm::vec2 depth_range_{0.0f, 1.0f};
+};
+
+}  // namespace psm::gl

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/shadow_pass.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace psm::gl {
+namespace {
+
+constexpr float kBiasUnits = 2.0f;  // depth steps, for faces that see the light head on and have no slope
+
+void set_sampler(const Sampler& sampler, GLint compare_mode) {
+  glSamplerParameteri(sampler.get(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glSamplerParameteri(sampler.get(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glSamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glSamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glSamplerParameteri(sampler.get(), GL_TEXTURE_COMPARE_MODE, compare_mode);
+  glSamplerParameteri(sampler.get(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+}
+
+std::vector<glm::dmat4> maps_from_world(const Analysis& analysis) {
+  if (analysis.cube_maps_from_world) return {analysis.cube_maps_from_world->begin(), analysis.cube_maps_from_world->end()};
+  // A reversed depth test is the usual one on the negated depth.
+  const double order = analysis.reversed_depth ? -1.0 : 1.0;
+  if (analysis.map_from_world) return {glm::scale(glm::dmat4(1.0), {1.0, 1.0, order}) * *analysis.map_from_world};
+  return {};
+}
+
+/// Halves the resolution until the card has room.
+int allocate_depth(int resolution, int layers) {
+  for (;; resolution /= 2) {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, resolution, resolution, layers, 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_INT, nullptr);
+    if (resolution == 1 || glGetError() == GL_NO_ERROR) return resolution;
+  }
+}
+
+}  // namespace
+
+ShadowPass::ShadowPass(const std::filesystem::path& shaders)
+    : program_(shaders, "shadow", "shadow"), reduce_(shaders, "fullscreen", "depth_blocks") {
+  set_sampler(comparison_, GL_COMPARE_REF_TO_TEXTURE);
+  set_sampler(reading_, GL_NONE);
+}
+
+void ShadowPass::allocate(int resolution, int layers) {
+  if (resolution == asked_resolution_ && layers == layers_) return;
+  asked_resolution_ = resolution;
+  layers_ = layers;
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, depth_.get());
+  resolution_ = allocate_depth(std::clamp(resolution, 1, int(largest)), layers);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void ShadowPass::draw(const SceneBuffers& scene, const Analysis& analysis) {
+  const std::vector<glm::dmat4> maps = maps_from_world(analysis);
+  allocate(analysis.experiment.shadow.resolution, std::max(1, int(maps.size())));
+  used_range_.reset();
+  maps_from_local_.clear();
+
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  glViewport(0, 0, resolution_, resolution_);
+  const GLenum no_color = GL_NONE;
+  glDrawBuffers(1, &no_color);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  // The factor multiplies the steeper of the two depth slopes per texel: exactly the setting's definition.
+  glPolygonOffset(float(analysis.experiment.shadow.depth_bias), kBiasUnits);
+  for (int layer = 0; layer < layers_; ++layer) {
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth_.get(), 0, layer);
+    const float far_end = 1.0f;
+    glClearBufferfv(GL_DEPTH, 0, &far_end);
+    if (std::size_t(layer) >= maps.size()) continue;
+    // A matrix that cannot be drawn keeps its place with w = 0 everywhere: nothing lies inside it.
+    const glm::mat4 map = narrow(maps[std::size_t(layer)] * scene.world_from_local()).value_or(glm::mat4(0.0f));
+    maps_from_local_.push_back(map);
+    draw_layer(scene, map);
+  }
+}
+
+void ShadowPass::draw_layer(const SceneBuffers& scene, const glm::mat4& map_from_local) {
+  program_.use();
+  program_.set("u_map_from_local", map_from_local);
+  program_.set("u_texture", 0);
+  scene.bind();
+  for (const Batch& batch : scene.batches()) {
+    if (batch.primitive != Primitive::triangles) continue;
+    scene.bind_material(batch, program_);
+    scene.draw(batch);
+  }
+}
+
+void ShadowPass::bind_for_comparison(int unit) const {
+  glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_2D_ARRAY, depth_.get());
+  glBindSampler(GLuint(unit), comparison_.get());
+}
+
+void ShadowPass::bind_for_reading(int unit) const {
+  glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_2D_ARRAY, depth_.get());
+  glBindSampler(GLuint(unit), reading_.get());
+}
+
+std::vector<glm::vec2> ShadowPass::read_blocks(int layer, int block) {
+  // ES 3.0 reads neither depth nor float textures back, but it reads unsigned integers: the bits of the floats.
+  const int side = (resolution_ + block - 1) / block;
+  Framebuffer framebuffer;
+  Renderbuffer bits;
+  glBindRenderbuffer(GL_RENDERBUFFER, bits.get());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32UI, side, side);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, bits.get());
+  glViewport(0, 0, side, side);
+  reduce_.use();
+  reduce_.set("u_map", 0);
+  reduce_.set("u_layer", layer);
+  reduce_.set("u_block", block);
+  bind_for_reading(0);
+  glBindVertexArray(no_vertices_.get());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  std::vector<std::uint32_t> texels(std::size_t(side) * std::size_t(side) * 4);
+  glReadPixels(0, 0, side, side, GL_RGBA_INTEGER, GL_UNSIGNED_INT, texels.data());
+  std::vector<glm::vec2> blocks;
+  for (std::size_t i = 0; i < texels.size(); i += 4)
+    blocks.emplace_back(std::bit_cast<float>(texels[i]), std::bit_cast<float>(texels[i + 1]));
+  return blocks;
+}
+
+glm::vec2 ShadowPass::used_range() {
+  if (used_range_) return *used_range_;
+  constexpr int kBlocks = 64;  // along a side: few enough to read back, enough to keep the card busy
+  glm::vec2 range(1.0f, 0.0f);
+  for (int layer = 0; layer < layers_; ++layer) {
+    for (const glm::vec2& block : read_blocks(layer, std::max(2, resolution_ / kBlocks)))
+      range = {std::min(range.x, block.x), std::max(range.y, block.y)};
+  }
+  used_range_ = range.x <= range.y ? range : glm::vec2(0.0f, 1.0f);
+  return *used_range_;
+}
+
+std::vector<float> ShadowPass::read_depth() {
+  std::vector<float> depth;
+  if (resolution_ == 0) return depth;
+  for (const glm::vec2& texel : read_blocks(0, 1)) depth.push_back(texel.x);
+  return depth;
+}
+
+}  // namespace psm::gl

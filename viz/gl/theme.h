@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The palette of roles on a light or a dark ground. sRGB, 0 to 1.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "draw/draw_list.h"
+#include "gl/renderer.h"
+
+namespace psm::gl {
+
+glm::vec3 ground_color(Theme theme);
+
+/// Beside the eye's image, where the view letterboxes.
+glm::vec3 outside_color(Theme theme);
+
+/// For lines and points: the role's colour, darkened or lightened in linear light until it has the contrast of 3:1 with the
+/// ground that meaningful lines need (WCAG); yellow and orange on white do not have it by themselves.
+glm::vec3 line_color(Role role, Theme theme);
+
+/// For translucent fills: the role's colour as it is.
+glm::vec3 fill_color(Role role, Theme theme);
+
+/// For labels: at least 4.5:1.
+glm::vec3 label_color(Role role, Theme theme);
+
+/// WCAG contrast of two sRGB colours, 1 to 21.
+float contrast(const glm::vec3& a, const glm::vec3& b);
+
+}  // namespace psm::gl

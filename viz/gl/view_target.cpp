@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/view_target.h"
+
+#include <algorithm>
+
+namespace psm::gl {
+namespace {
+
+constexpr GLint kSamples = 4;
+
+GLint limit(GLenum name) {
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+}  // namespace
+
+glm::ivec2 allowed_size(glm::ivec2 size) {
+  const int largest = std::min(limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_RENDERBUFFER_SIZE));
+  return glm::clamp(size, glm::ivec2(1), glm::ivec2(largest));
+}
+
+MultisampleTarget::MultisampleTarget() : samples_(std::min(kSamples, limit(GL_MAX_SAMPLES))) {}
+
+void MultisampleTarget::reserve(glm::ivec2 size) {
+  if (size.x <= size_.x && size.y <= size_.y) return;
+  size_ = glm::max(size, size_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  glBindRenderbuffer(GL_RENDERBUFFER, color_.get());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_RGBA8, size_.x, size_.y);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.get());
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_.get());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, size_.x, size_.y);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.get());
+  glBindRenderbuffer(GL_RENDERBUFFER, 0);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE || samples_ == 0) return;
+  samples_ = 0;  // a driver that promises samples and does not keep it
+  size_ = glm::ivec2(0);
+  reserve(size);
+}
+
+void ViewTarget::resize(glm::ivec2 size) {
+  if (size == size_) return;
+  size_ = size;
+  glBindTexture(GL_TEXTURE_2D, texture_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.get(), 0);
+}
+
+void ViewTarget::resolve_from(const MultisampleTarget& source) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, source.framebuffer());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.get());
+  glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+std::vector<std::uint8_t> ViewTarget::read_top_to_bottom() const {
+  const std::size_t row = std::size_t(size_.x) * 4;
+  std::vector<std::uint8_t> rgba(row * std::size_t(size_.y));
+  if (rgba.empty()) return rgba;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get());
+  glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  for (int top = 0, bottom = size_.y - 1; top < bottom; ++top, --bottom) {
+    std::swap_ranges(rgba.begin() + std::ptrdiff_t(row) * top, rgba.begin() + std::ptrdiff_t(row) * (top + 1),
+                     rgba.begin() + std::ptrdiff_t(row) * bottom);
+  }
+  return rgba;
+}
+
+}  // namespace psm::gl

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where views are drawn: a multisampled framebuffer that all views share, resolved into each view's own texture.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "gl/gl_objects.h"
+
+namespace psm::gl {
+
+/// RGBA8 and 24-bit depth, four samples where there are that many; grows to the largest view.
+class MultisampleTarget {
+ public:
+  MultisampleTarget();
+  void reserve(glm::ivec2 size);
+  GLuint framebuffer() const { return framebuffer_.get(); }
+
+ private:
+  Framebuffer framebuffer_;
+  Renderbuffer color_, depth_;
+  glm::ivec2 size_{0};
+  GLint samples_ = 0;
+};
+
+/// One view's picture: an RGBA8 texture, first row at the bottom, reallocated only when the size changes.
+class ViewTarget {
+ public:
+  void resize(glm::ivec2 size);
+  void resolve_from(const MultisampleTarget& source);
+  GLuint texture() const { return texture_.get(); }
+  glm::ivec2 size() const { return size_; }
+  std::vector<std::uint8_t> read_top_to_bottom() const;
+
+ private:
+  Framebuffer framebuffer_;
+  GlTexture texture_;
+  glm::ivec2 size_{0};
+};
+
+/// At least 1x1, at most what this context can draw to.
+glm::ivec2 allowed_size(glm::ivec2 size);
+
+}  // namespace psm::gl

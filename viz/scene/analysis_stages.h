@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the stages of analyze() hand on to each other; private to viz/scene.
+#pragma once
+
+#include <span>
+#include <utility>
+
+#include "geom/frustum.h"
+#include "math/shadow_map.h"
+#include "scene/analysis.h"
+
+namespace psm {
+
+constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
+
+inline void note(Analysis& a, std::string code, std::string text, std::optional<double> value = {},
+                 std::optional<double> limit = {}) {
+  a.notes.push_back({std::move(code), std::move(text), value, limit});
+}
+
+/// What the stages hand on; the Analysis keeps what is worth showing.
+struct Stages {
+  const Experiment& x;
+  const Scene& scene;
+  ViewFrame view = {};
+  std::vector<Plane> view_planes = {};
+  ConvexBody lit_scene = {};  // S ∩ L
+  glm::dvec4 light{0};        // unit direction and 0, or position and 1
+  glm::dvec3 centroid{0};     // of R
+  double near = 1, far = 2;   // depth range that the technique uses
+  LightFrame<double> frame = {};
+  glm::dvec4 uniform{0};
+  bool light_in_receivers = false;
+};
+
+/// The vanishing plane that the experiment's technique chooses; sets technique_used and everything the technique has to say.
+glm::dvec4 technique_plane(Stages& s, Analysis& a, std::span<const glm::dvec3> receivers);
+
+/// The mappings that break the rule (psm_divided, psm_recipe), whole; nothing for every other technique.
+std::optional<glm::dmat4> rule_breaking_map(Stages& s, Analysis& a, std::span<const glm::dvec3> receivers);
+
+}  // namespace psm

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/control_pane.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "ui/field_widgets.h"
+#include "ui/theme.h"
+
+namespace psm {
+namespace {
+
+// Short names at the left, long ones at the right.
+constexpr std::array offered = {Technique::uniform, Technique::psm,   Technique::lispsm,  Technique::lispsm_reference,
+                                Technique::glpr,    Technique::gmnpr, Technique::minimax, Technique::minimax_frustum,
+                                Technique::custom};
+constexpr int technique_rows = int(offered.size() + 1) / 2;
+
+const char* explanation(Technique technique) {
+  switch (technique) {
+    case Technique::uniform:
+      return "uniform: the vanishing plane at infinity; every texel covers the same part of the map's window.";
+    case Technique::psm:
+      return "psm: the map of the post-perspective cube, seen from the light (Stamminger & Drettakis 2002).";
+    case Technique::lispsm:
+      return "lispsm: light space perspective, λ as GMNPR 2007 prints it (Eq. 9).";
+    case Technique::lispsm_reference:
+      return "lispsm_reference: light space perspective as its authors' code computes it.";
+    case Technique::glpr:
+      return "glpr: generalised linear perspective; it exists only where θ > φ.";
+    case Technique::gmnpr:
+      return "gmnpr: generalised minimum norm, with its own λ below φ (GMNPR 2007, Eq. 4 and 7).";
+    case Technique::minimax:
+      return "minimax: the least maximum of F on the frustum's central line.";
+    case Technique::minimax_frustum:
+      return "minimax_frustum: the least maximum of E over the whole frustum.";
+    default:
+      return "custom: the vanishing plane that shadow.plane gives.";
+  }
+}
+
+std::string scene_title(const std::string& source) {
+  return source.find('/') == std::string::npos ? source : std::filesystem::path(source).filename().string();
+}
+
+void scene_selector(UiContext& ui, Requests& requests) {
+  const std::string& current = ui.model.experiment().scene.source;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Scene");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const bool open = ImGui::BeginCombo("##scene", scene_title(current).c_str());
+  note_place(ui, "scene.source");
+  if (!open) return;
+  for (const std::string& id : builtin_scene_ids()) {
+    if (ImGui::Selectable(id.c_str(), id == current)) requests.open = id;
+    note_place(ui, "scene.source=" + id);
+  }
+  ImGui::Separator();
+  if (ImGui::Selectable("Open a file…")) requests.action = Action::open;
+  note_place(ui, "scene.source=file");
+  ImGui::EndCombo();
+}
+
+void technique_selector(UiContext& ui, Experiment& experiment) {
+  const float right = std::floor(0.41f * ImGui::GetContentRegionAvail().x) + ImGui::GetCursorPosX();
+  for (int i = 0; i < int(offered.size()); ++i) {
+    if (i % 2 == 1) ImGui::SameLine(right);
+    const Technique technique = offered[std::size_t(i)];
+    if (ImGui::RadioButton(display_name(technique), experiment.shadow.technique == technique))
+      experiment.shadow.technique = technique;
+    note_place(ui, std::string("shadow.technique=") + name_of(technique));
+    rest_tooltip(explanation(technique));
+  }
+}
+
+/// Which technique drew the picture, in one line that is always there, so that nothing below it jumps.
+void used_line(const UiContext& ui) {
+  const Analysis& a = ui.model.analysis();
+  const bool fell_back = a.technique_used != a.experiment.shadow.technique;
+  const glm::vec3 tone = warning_color(ui.theme);
+  const std::string name = display_name(a.technique_used);
+  if (fell_back)
+    ImGui::TextColored({tone.r, tone.g, tone.b, 1.0f}, "▶ fell back to %s", name.c_str());
+  else
+    ImGui::TextDisabled("used: %s", name.c_str());
+  for (const Note& note : a.notes)
+    if (fell_back && &note == &a.notes.front() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", note.text.c_str());
+}
+
+bool shown_in_header(const Field& field) { return field.path == "scene.source" || field.path == "shadow.technique"; }
+
+void group_of_fields(UiContext& ui, const std::string& group, Experiment& experiment) {
+  for (const Field& field : experiment_fields())
+    if (field_group(field) == group && !shown_in_header(field)) field_row(ui, field, experiment);
+}
+
+bool group_header(UiContext& ui, const char* group, bool open) {
+  const bool shown = ImGui::CollapsingHeader(group, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+  note_place(ui, std::string("group.") + group);
+  return shown;
+}
+
+}  // namespace
+
+const std::vector<Technique>& offered_techniques() {
+  static const std::vector<Technique> list(offered.begin(), offered.end());
+  return list;
+}
+
+const char* display_name(Technique technique) {
+  switch (technique) {
+    case Technique::uniform:
+      return "Uniform";
+    case Technique::psm:
+      return "PSM";
+    case Technique::lispsm:
+      return "LiSPSM";
+    case Technique::lispsm_reference:
+      return "LiSPSM code";
+    case Technique::glpr:
+      return "GLPR";
+    case Technique::gmnpr:
+      return "GMNPR";
+    case Technique::minimax:
+      return "Minimax";
+    case Technique::minimax_frustum:
+      return "Minimax full";
+    case Technique::plane_optimal:
+      return "Plane-optimal";
+    case Technique::best_plane:
+      return "Best plane";
+    case Technique::psm_recipe:
+      return "PSM recipe";
+    case Technique::psm_divided:
+      return "PSM divided";
+    case Technique::custom:
+      return "Custom";
+  }
+  return "";
+}
+
+void control_fields(UiContext& ui, LightControls& light, Experiment& experiment) {
+  if (group_header(ui, "light", true)) {
+    light_controls(ui, light, experiment);
+    ImGui::Spacing();
+    group_of_fields(ui, "light", experiment);
+  }
+  if (group_header(ui, "camera", true)) group_of_fields(ui, "camera", experiment);
+  if (group_header(ui, "shadow", true)) group_of_fields(ui, "shadow", experiment);
+  if (group_header(ui, "image", false)) group_of_fields(ui, "image", experiment);
+  if (group_header(ui, "view", false)) group_of_fields(ui, "view", experiment);
+}
+
+float control_header_height() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  return (1 + technique_rows) * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() +
+         style.WindowPadding.y;
+}
+
+void control_header(UiContext& ui, Experiment& experiment, Requests& requests) {
+  scene_selector(ui, requests);
+  technique_selector(ui, experiment);
+  used_line(ui);
+}
+
+}  // namespace psm

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "ui/keys.h"
+
+namespace psm {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* title_of(Dialogs::Kind kind) {
+  switch (kind) {
+    case Dialogs::Kind::open:
+      return "Open";
+    case Dialogs::Kind::save:
+      return "Save experiment";
+    case Dialogs::Kind::error:
+      return "That did not work";
+    case Dialogs::Kind::help:
+      return "Keys and mouse";
+    default:
+      return "Settings";
+  }
+}
+
+bool can_be_opened(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name.ends_with(".glb") || name.ends_with(".gltf") || name.ends_with(".psm.json");
+}
+
+std::vector<std::string> files_here() {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (fs::directory_iterator it(".", error), end; !error && it != end && files.size() < 500; it.increment(error))
+    if (can_be_opened(it->path())) files.push_back(it->path().filename().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+float em() { return ImGui::GetFontSize(); }
+
+/// Two columns: what to press or do, and what happens.
+void help_row(const char* what, const char* effect) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(what);
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", effect);
+}
+
+bool button(UiContext& ui, const char* label, const std::string& place) {
+  const bool pressed = ImGui::Button(label, {std::max(5.0f * em(), ImGui::CalcTextSize(label).x + 1.5f * em()), 0.0f});
+  note_place(ui, place);
+  return pressed;
+}
+
+}  // namespace
+
+void Dialogs::show(Kind kind, const std::string& text) {
+  shown_ = kind;
+  opens_ = true;
+  closing_ = false;
+  text_ = text;
+  if (kind == Kind::open) files_ = files_here();
+}
+
+Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
+  Answer answer;
+  if (shown_ == Kind::none) return answer;
+  const char* title = title_of(shown_);
+  if (opens_) ImGui::OpenPopup(title);
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  ImGui::SetNextWindowPos(viewport->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({std::min(24.0f * em(), viewport->Size.x), 0.0f},
+                                      {std::max(1.0f, 0.92f * viewport->Size.x), std::max(1.0f, 0.92f * viewport->Size.y)});
+  if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove)) {
+    if (!opens_) shown_ = Kind::none;
+    return answer;
+  }
+  if (shown_ == Kind::open)
+    answer = path_dialog(ui, "An experiment (.psm.json), a .gltf or .glb file, or a scene's name:", "Open");
+  if (shown_ == Kind::save) answer = path_dialog(ui, "Where to save the experiment:", "Save");
+  if (shown_ == Kind::error) error_dialog(ui);
+  if (shown_ == Kind::help) help_dialog(ui);
+  if (shown_ == Kind::settings) settings_dialog(ui, settings);
+  opens_ = false;
+  if (closing_) ImGui::CloseCurrentPopup();
+  if (closing_) shown_ = Kind::none;
+  closing_ = false;
+  ImGui::EndPopup();
+  return answer;
+}
+
+Dialogs::Answer Dialogs::path_dialog(UiContext& ui, const char* explanation, const char* confirm) {
+  const bool saves = shown_ == Kind::save;
+  ImGui::TextUnformatted(explanation);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(std::min(30.0f * em(), 0.8f * ImGui::GetMainViewport()->Size.x));
+  bool confirmed = ImGui::InputText("##path", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  note_place(ui, "dialog.path");
+  if (!saves) list_files(ui);
+  confirmed |= button(ui, confirm, "dialog.confirm");
+  ImGui::SameLine();
+  const bool cancelled = button(ui, "Cancel", "dialog.cancel");
+  Answer answer;
+  if (cancelled) close();
+  if (confirmed && !text_.empty()) {
+    (saves ? answer.save : answer.open) = text_;
+    close();
+  }
+  return answer;
+}
+
+void Dialogs::list_files(UiContext& ui) {
+  if (files_.empty()) return ImGui::TextDisabled("Files can also be dropped on the window.");
+  const float lines = float(std::min<std::size_t>(files_.size(), 8));
+  if (ImGui::BeginListBox("##files", {std::min(30.0f * em(), 0.8f * ImGui::GetMainViewport()->Size.x),
+                                      lines * ImGui::GetTextLineHeightWithSpacing() + em()})) {
+    for (const std::string& file : files_) {
+      if (ImGui::Selectable(file.c_str(), file == text_)) text_ = file;
+      note_place(ui, "dialog.file=" + file);
+    }
+    ImGui::EndListBox();
+  }
+}
+
+void Dialogs::close_button(UiContext& ui) {
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  if (button(ui, "Close", "dialog.confirm")) close();
+}
+
+void Dialogs::error_dialog(UiContext& ui) {
+  ImGui::PushTextWrapPos(std::min(32.0f * em(), 0.85f * ImGui::GetMainViewport()->Size.x));
+  ImGui::TextUnformatted(text_.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  close_button(ui);
+}
+
+void Dialogs::help_dialog(UiContext& ui) {
+  const ImVec2 room = ImGui::GetMainViewport()->Size;
+  const ImVec2 size(std::max(1.0f, std::min(36.0f * em(), 0.85f * room.x)),
+                    std::max(1.0f, std::min(34.0f * em(), 0.72f * room.y)));
+  if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY, size)) {
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 11.0f * em());
+    ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch);
+    for (const KeyBinding& binding : key_bindings()) help_row(binding.name, binding.text);
+    help_row("left drag", "turn a view; the eye view turns the experiment's camera; the map moves");
+    help_row("Shift or middle drag", "move a view");
+    help_row("wheel", "nearer and farther");
+    help_row("drag a circle", "move the camera, the light or a target in the world view; with Shift along the vertical");
+    help_row("double click", "one view alone, and back; on a divider: back to the middle");
+    help_row("Ctrl+click on a slider", "type the value; Alt while dragging: no snapping");
+    ImGui::EndTable();
+  }
+  close_button(ui);
+}
+
+// Taken over when let go: a slider must not change its own size under the mouse.
+void Dialogs::settings_slider(UiContext& ui, const char* label, int Settings::*member, int low, int high, const char* format,
+                              Settings& settings) {
+  ImGui::SetNextItemWidth(12.0f * em());
+  ImGui::SliderInt(label, &(pending_.*member), low, high, format, ImGuiSliderFlags_AlwaysClamp);
+  note_place(ui, std::string("settings.") + label);
+  if (!ImGui::IsItemActive()) settings.*member = pending_.*member;
+}
+
+void Dialogs::settings_dialog(UiContext& ui, Settings& settings) {
+  if (opens_) pending_ = settings;
+  settings_slider(ui, "scale", &Settings::scale_percent, 75, 300, "%d %%", settings);
+  settings_slider(ui, "font size", &Settings::font_px, 12, 32, "%d px", settings);
+  for (int percent : {75, 100, 125, 150, 200, 300}) {
+    if (percent != 75) ImGui::SameLine();
+    const std::string label = std::to_string(percent) + " %";
+    if (ImGui::Button(label.c_str())) settings.scale_percent = pending_.scale_percent = percent;
+    note_place(ui, "settings." + std::to_string(percent));
+  }
+  int theme = int(settings.theme);
+  ImGui::RadioButton("light", &theme, int(Theme::light));
+  ImGui::SameLine();
+  ImGui::RadioButton("dark", &theme, int(Theme::dark));
+  settings.theme = Theme(theme);
+  ImGui::Spacing();
+  close_button(ui);
+}
+
+}  // namespace psm

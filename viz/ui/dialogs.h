@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pop-ups: open, save, what went wrong, the keys, the settings.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/settings.h"
+#include "ui/ui_context.h"
+
+namespace psm {
+
+class Dialogs {
+ public:
+  enum class Kind { none, open, save, error, help, settings };
+
+  void show(Kind kind, const std::string& text = "");  // text: the path to begin with, or what went wrong
+  Kind shown() const { return closing_ ? Kind::none : shown_; }
+  bool just_shown() const { return opens_; }
+  void close() { closing_ = true; }
+
+  /// What the user has decided in this frame.
+  struct Answer {
+    std::optional<std::string> open, save;
+  };
+  Answer draw(UiContext& ui, Settings& settings);
+
+ private:
+  Answer path_dialog(UiContext& ui, const char* explanation, const char* confirm);
+  void list_files(UiContext& ui);
+  void error_dialog(UiContext& ui);
+  void help_dialog(UiContext& ui);
+  void settings_slider(UiContext& ui, const char* label, int Settings::*member, int low, int high, const char* format,
+                       Settings& settings);
+  void settings_dialog(UiContext& ui, Settings& settings);
+  void close_button(UiContext& ui);
+
+  Kind shown_ = Kind::none;
+  bool opens_ = false;    // in the next frame
+  bool closing_ = false;  // at the end of this frame: ImGui must see a pop-up once more to let go of it
+  std::string text_;
+  Settings pending_;                // while a slider of the settings is held
+  std::vector<std::string> files_;  // what the folder offers to open
+};
+
+}  // namespace psm

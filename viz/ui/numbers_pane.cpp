@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/numbers_pane.h"
+
+#include <imgui.h>
+
+#include <cmath>
+
+#include "ui/theme.h"
+
+namespace psm {
+namespace {
+
+constexpr const char* absent = "—";
+
+std::string text_of(const std::optional<double>& value) { return value ? shown_number(*value, 5) : absent; }
+std::string degrees_of(const std::optional<double>& value) {
+  return value ? shown_number(glm::degrees(*value), 5) + "°" : absent;
+}
+
+std::optional<double> model_value(const Analysis& a, double ModelError::*member) {
+  return a.model_error ? std::optional<double>((*a.model_error).*member) : std::nullopt;
+}
+
+void draw_lines(const std::vector<NumberLine>& lines) {
+  if (!ImGui::BeginTable("numbers", 2, ImGuiTableFlags_RowBg)) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+  for (const NumberLine& line : lines) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(line.name.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", line.help.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(line.value.c_str());
+  }
+  ImGui::EndTable();
+}
+
+void draw_notes(const UiContext& ui, const std::vector<Note>& notes) {
+  const glm::vec3 tone = warning_color(ui.theme);
+  if (notes.empty()) ImGui::TextDisabled("none");
+  for (const Note& note : notes) {
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextColored({tone.r, tone.g, tone.b, 1.0f}, "▶ %s", note.code.c_str());
+    ImGui::TextUnformatted(note_text(note).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
+  }
+}
+
+}  // namespace
+
+std::vector<NumberLine> number_lines(const Analysis& a) {
+  return {
+      {"θ", degrees_of(a.theta), "Angle between light and view that the technique used."},
+      {"φ", degrees_of(a.phi), "Half opening angle of the frustum towards the light."},
+      {"n", text_of(a.near), "Eye depth at which the receivers begin."},
+      {"f", text_of(a.far), "Eye depth at which the receivers end."},
+      {"ρ", text_of(a.rho), "Warp: ratio of the warp frustum's near and far distance; 1 is uniform."},
+      {"λ", text_of(a.lambda), "Warp parameter, ρ / (1 − ρ); infinite is uniform."},
+      {"F near", text_of(model_value(a, &ModelError::F_near)), "Error F of the 2D model at n."},
+      {"F far", text_of(model_value(a, &ModelError::F_far)), "Error F of the 2D model at f."},
+      {"F max", text_of(model_value(a, &ModelError::F_max)), "Largest F on the central line."},
+      {"E max", text_of(model_value(a, &ModelError::E_max_line)), "Largest E = F sin θ on the central line."},
+      {"E max, frustum", text_of(model_value(a, &ModelError::E_max_frustum)), "Largest E over the whole frustum."},
+      {"storage factor", text_of(model_value(a, &ModelError::storage_factor)),
+       "Largest error across times largest error along: texels needed per pixel."},
+      {"w", shown_number(a.light_case.w, 5), "v·l or v·(l − e): its sign decides the light case."},
+      {"κ", shown_number(a.light_case.kappa, 5), "The light's w after P V, by the length of its x, y, z."},
+      {"camera shift", shown_number(a.camera_shift, 5), "How far the virtual camera stands back."},
+  };
+}
+
+std::string note_text(const Note& note) {
+  std::string text = note.text;
+  if (note.value) text += " Value " + shown_number(*note.value, 5);
+  if (note.limit) text += (note.value ? ", limit " : " Limit ") + shown_number(*note.limit, 5);
+  if (note.value || note.limit) text += ".";
+  return text;
+}
+
+std::vector<Note> all_notes(const Scene& scene, const Analysis& analysis) {
+  std::vector<Note> notes = analysis.notes;
+  for (const Note& note : scene.notes) {
+    bool known = false;
+    for (const Note& other : analysis.notes) known = known || other == note;
+    if (!known) notes.push_back(note);
+  }
+  return notes;
+}
+
+void numbers_pane(UiContext& ui) {
+  const auto notes = all_notes(ui.model.scene(), ui.model.analysis());
+  if (ImGui::CollapsingHeader("numbers", ImGuiTreeNodeFlags_DefaultOpen)) draw_lines(number_lines(ui.model.analysis()));
+  note_place(ui, "numbers");
+  if (ImGui::CollapsingHeader("notes", ImGuiTreeNodeFlags_DefaultOpen)) draw_notes(ui, notes);
+  note_place(ui, "notes");
+}
+
+}  // namespace psm

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view_images.h"
+
+#include "ui/navigation.h"
+
+namespace psm {
+namespace {
+
+/// What the picture of this view depends on; the rest at its defaults.
+ViewSettings relevant(ViewId id, const ViewSettings& view) {
+  ViewSettings out;
+  if (id == ViewId::world) out.world = view.world;
+  if (id == ViewId::cube) out.cube = view.cube;
+  if (id == ViewId::map) out.map_center = view.map_center, out.map_zoom = view.map_zoom;
+  return out;
+}
+
+double aspect_of_size(glm::ivec2 size) { return size.x > 0 && size.y > 0 ? double(size.x) / size.y : 1.0; }
+
+}  // namespace
+
+OrbitSettings FittedOrbits::fitted(std::optional<Fit>& fit, ViewId id, const OrbitSettings& asked, const Model& model,
+                                   double aspect) {
+  if (asked.distance > 0.0) return asked;
+  if (!fit || fit->scene != model.scene_revision() || fit->aspect != aspect || fit->asked != asked.target)
+    fit = {model.scene_revision(), aspect, asked.target, resolved(asked, view_camera(id, model.analysis(), aspect))};
+  OrbitSettings out = fit->orbit;
+  out.yaw_deg = asked.yaw_deg, out.pitch_deg = asked.pitch_deg;
+  return out;
+}
+
+ViewSettings FittedOrbits::shown(const Model& model, const ViewSizes& sizes) {
+  ViewSettings view = model.experiment().view;
+  const auto size = [&](ViewId id) { return sizes[std::size_t(id)]; };
+  // A hidden view keeps the fit it had.
+  if (size(ViewId::world).x > 0)
+    view.world = fitted(world_, ViewId::world, view.world, model, aspect_of_size(size(ViewId::world)));
+  if (size(ViewId::cube).x > 0) view.cube = fitted(cube_, ViewId::cube, view.cube, model, aspect_of_size(size(ViewId::cube)));
+  return view;
+}
+
+void ViewImages::upload(const Model& model) {
+  if (scene_ != model.scene_revision()) renderer_.set_scene(model.scene());
+  if (scene_ != model.scene_revision() || map_ != model.analysis_revision()) renderer_.draw_shadow_map(model.analysis());
+  scene_ = model.scene_revision();
+  map_ = model.analysis_revision();
+}
+
+int ViewImages::update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme) {
+  if (known_analysis_ != model.analysis_revision()) analysis_ = model.analysis();
+  known_analysis_ = model.analysis_revision();
+  analysis_.experiment.view = shown;
+  int drawn = 0;
+  for (ViewId id : kAllViews) {
+    const glm::ivec2 size = sizes[std::size_t(id)];
+    if (size.x <= 0 || size.y <= 0) continue;
+    View& view = views_[std::size_t(id)];
+    const Key key{model.analysis_revision(), relevant(id, shown), size, scale, theme};
+    if (view.texture != 0 && view.key == key) continue;
+    upload(model);
+    view.picture = describe_view(id, analysis_, model.scene(), size);
+    view.texture = renderer_.draw_view(view.picture, analysis_, size, scale, theme);
+    view.key = key;
+    ++drawn;
+  }
+  return drawn;
+}
+
+}  // namespace psm

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pictures of the views: drawn again only where something they show has changed, and only while they are on screen.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "draw/view.h"
+#include "gl/renderer.h"
+#include "ui/layout.h"
+#include "ui/model.h"
+
+namespace psm {
+
+/// Where an orbit that is left to the fit looks from: found once, so that the picture's camera stays where it is while the
+/// experiment changes.
+class FittedOrbits {
+ public:
+  /// The views with every orbit written out.
+  ViewSettings shown(const Model& model, const ViewSizes& sizes);
+  void fit_again() { world_.reset(), cube_.reset(); }
+
+ private:
+  struct Fit {
+    std::uint64_t scene = 0;
+    double aspect = 0.0;
+    glm::dvec3 asked{0.0};  // the target as the experiment has it
+    OrbitSettings orbit;
+  };
+  static OrbitSettings fitted(std::optional<Fit>& fit, ViewId id, const OrbitSettings& asked, const Model& model, double aspect);
+  std::optional<Fit> world_, cube_;
+};
+
+class ViewImages {
+ public:
+  explicit ViewImages(Renderer& renderer) : renderer_(renderer) {}
+
+  /// Draws what is out of date; returns how many views were drawn. `sizes`: empty (0) for hidden views.
+  int update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme);
+
+  const ViewPicture& picture(ViewId id) const { return views_[std::size_t(id)].picture; }
+  std::uint32_t texture(ViewId id) const { return views_[std::size_t(id)].texture; }
+  glm::ivec2 size(ViewId id) const { return views_[std::size_t(id)].key.size; }
+  const Analysis& analysis() const { return analysis_; }  // with the views as shown
+
+ private:
+  struct Key {
+    std::uint64_t analysis = 0;
+    ViewSettings view;  // only what this view depends on
+    glm::ivec2 size{0};
+    double scale = 0.0;
+    Theme theme = Theme::light;
+    bool operator==(const Key&) const = default;
+  };
+  struct View {
+    Key key;
+    ViewPicture picture;
+    std::uint32_t texture = 0;
+  };
+  void upload(const Model& model);
+
+  Renderer& renderer_;
+  Analysis analysis_;
+  std::uint64_t scene_ = 0, map_ = 0, known_analysis_ = 0;
+  std::array<View, kAllViews.size()> views_;
+};
+
+}  // namespace psm

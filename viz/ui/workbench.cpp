@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "ui/badge_bar.h"
+#include "ui/numbers_pane.h"
+
+namespace psm {
+namespace {
+
+constexpr int smallest_view = 8;  // pixels; below, nothing can be seen
+constexpr double tooltip_delay = 0.4;
+
+ImVec2 vec(glm::ivec2 v) { return {float(v.x), float(v.y)}; }
+
+void begin_child(const char* name, const Rect& rect, ImGuiWindowFlags flags = 0) {
+  ImGui::SetCursorScreenPos(vec(rect.min));
+  ImGui::BeginChild(name, {float(std::max(1, rect.size().x)), float(std::max(1, rect.size().y))}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | flags);
+}
+
+/// The pane's two parts: selectors above, everything else scrolls.
+Rect header_rect(const Rect& pane) {
+  return {pane.min, {pane.max.x, std::min(pane.max.y, pane.min.y + int(std::ceil(control_header_height())))}};
+}
+Rect fields_rect(const Rect& pane) { return {{pane.min.x, header_rect(pane).max.y}, pane.max}; }
+
+}  // namespace
+
+struct Workbench::Frame {
+  glm::ivec2 size;
+  double scale, now;
+  Layout layout;
+  UiContext ui;
+  Experiment edited;
+  std::string tag;
+  bool changed = false;
+
+  ViewSizes view_sizes() const {
+    ViewSizes sizes;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      sizes[i] = layout.views[i].size();
+      if (sizes[i].x < smallest_view || sizes[i].y < smallest_view) sizes[i] = glm::ivec2(0);
+    }
+    return sizes;
+  }
+};
+
+Workbench::Workbench(LoadedExperiment loaded, WorkbenchOptions options)
+    : options_(std::move(options)),
+      settings_(read_settings(options_.settings)),
+      saved_settings_(settings_),
+      model_(std::move(loaded)),
+      renderer_(options_.assets, options_.font),
+      images_(renderer_) {}
+
+Workbench::~Workbench() = default;
+
+LookKey Workbench::look(double display_scale) const {
+  const double scale = std::clamp(display_scale, 0.25, 8.0) * settings_.scale_percent / 100.0;
+  return {std::max(6, int(std::lround(settings_.font_px * scale))), scale, settings_.theme};
+}
+
+void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<KeyPress>& presses) {
+  ++frames_;
+  frames_left_ = std::max(0, frames_left_ - 1);
+  if (!presses.empty()) wake();
+  const Requests asked = std::exchange(requests_, {});
+  if (asked.open) open(*asked.open);
+  if (asked.action) act(*asked.action);
+  take_keys(presses);
+
+  places_.clear();
+  const double scale = look(display_scale).scale;
+  const int splitter = std::max(2, int(std::lround(6.0 * scale)));
+  const Layout layout = lay_out(size, settings_.layout, model_.experiment().view.maximised, badge_bar_height(size.x), splitter);
+  Frame f{size, scale, ImGui::GetTime(), layout, {model_, settings_.theme, scale, places_}, model_.experiment(), "", false};
+
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(vec(size));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+  ImGui::Begin("workbench", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar(3);
+  splitters(f);
+  tiles(f);
+  pane_fields(f);
+  commit(f);
+  pane_header(f);
+  commit(f);
+  draw_views(f);
+  pane_numbers(f);
+  badge_line(f);
+  ImGui::End();
+  dialogs(f);
+  end_frame(f);
+}
+
+void Workbench::splitters(Frame& f) {
+  const auto bar = [&](const char* name, const Rect& rect, Splitter which, ImGuiMouseCursor cursor) {
+    if (rect.empty()) return;
+    ImGui::SetCursorScreenPos(vec(rect.min));
+    ImGui::InvisibleButton(name, vec(rect.size()));
+    note_place(f.ui, std::string("splitter.") + name);
+    const bool active = ImGui::IsItemActive(), hot = active || ImGui::IsItemHovered();
+    if (hot) ImGui::SetMouseCursor(cursor);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
+      settings_.layout = reset_splitter(which, settings_.layout);
+    } else if (active && (ImGui::GetIO().MouseDelta.x != 0.0f || ImGui::GetIO().MouseDelta.y != 0.0f)) {
+      const glm::dvec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+      settings_.layout = move_splitter(which, mouse, f.size, settings_.layout, f.layout.badges.size().y);
+    }
+    const Color tone = hot ? color(accent_color(settings_.theme)) : color(ground_color(settings_.theme));
+    ImGui::GetWindowDrawList()->AddRectFilled(vec(rect.min), vec(rect.max), tone);
+  };
+  bar("pane", f.layout.pane_splitter, Splitter::pane, ImGuiMouseCursor_ResizeEW);
+  bar("column", f.layout.column_splitter, Splitter::column, ImGuiMouseCursor_ResizeEW);
+  bar("row", f.layout.row_splitter, Splitter::row, ImGuiMouseCursor_ResizeNS);
+}
+
+void Workbench::tiles(Frame& f) {
+  for (ViewId id : kAllViews) {
+    const std::string tag = tile_input(f.ui, id, f.layout.view(id), images_, drag_, f.edited);
+    if (!tag.empty()) f.tag = tag;
+  }
+}
+
+void Workbench::pane_fields(Frame& f) {
+  if (f.layout.pane.empty()) return;
+  begin_child("fields", fields_rect(f.layout.pane));
+  places_["pane.fields"] = fields_rect(f.layout.pane);
+  control_fields(f.ui, light_, f.edited);
+  ImGui::EndChild();
+}
+
+void Workbench::pane_header(Frame& f) {
+  if (f.layout.pane.empty()) return;
+  begin_child("header", header_rect(f.layout.pane), ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  control_header(f.ui, f.edited, requests_);
+  ImGui::EndChild();
+}
+
+// Goes on where pane_fields ended: the numbers are those of the analysis that the fields have just led to.
+void Workbench::pane_numbers(Frame& f) {
+  if (f.layout.pane.empty()) return;
+  begin_child("fields", fields_rect(f.layout.pane));
+  numbers_pane(f.ui);
+  ImGui::EndChild();
+}
+
+void Workbench::badge_line(Frame& f) {
+  begin_child("badges", f.layout.badges, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  badge_bar(f.ui, badges(model_, views_ms_, message_, settings_.theme), f.layout.badges);
+  ImGui::EndChild();
+}
+
+void Workbench::dialogs(Frame& f) {
+  const Dialogs::Answer answer = dialogs_.draw(f.ui, settings_);
+  if (answer.open) requests_.open = answer.open;
+  if (!answer.save) return;
+  if (const auto error = model_.save(*answer.save))
+    dialogs_.show(Dialogs::Kind::error, error->text);
+  else
+    message_ = "saved " + *answer.save;
+}
+
+void Workbench::commit(Frame& f) {
+  f.changed |= model_.commit(f.edited, f.tag, f.now);
+  f.edited = model_.experiment();
+}
+
+void Workbench::draw_views(Frame& f) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto sizes = f.view_sizes();
+  // A fit that a hidden view never had is found when the view shows.
+  const int drawn = images_.update(model_, fitted_.shown(model_, sizes), sizes, f.scale, settings_.theme);
+  views_drawn_ += std::uint64_t(drawn);
+  if (drawn > 0) views_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  for (ViewId id : kAllViews)
+    if (sizes[std::size_t(id)].x > 0) draw_tile(f.ui, id, f.layout.view(id), images_, drag_);
+}
+
+void Workbench::end_frame(Frame& f) {
+  if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown()) model_.end_gesture();
+  if (f.changed || requests_.open || requests_.action || dialogs_.just_shown()) wake();
+  next_wake_ = std::numeric_limits<double>::infinity();
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  if (g.HoveredId != 0 && g.ActiveId == 0 && g.HoveredIdTimer < tooltip_delay)
+    next_wake_ = tooltip_delay - g.HoveredIdTimer + 0.01;
+  settings_ = clamped(settings_);
+  if (settings_ == saved_settings_ || ImGui::IsAnyMouseDown()) return;
+  write_settings(settings_, options_.settings);
+  saved_settings_ = settings_;
+  wake();
+}
+
+}  // namespace psm

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's contents: four views, the control pane, the badges. The real window and the tests run the same frame().
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/renderer.h"
+#include "ui/control_pane.h"
+#include "ui/dialogs.h"
+#include "ui/input_queue.h"
+#include "ui/model.h"
+#include "ui/settings.h"
+#include "ui/theme.h"
+#include "ui/view_images.h"
+#include "ui/view_tile.h"
+
+namespace psm {
+
+struct WorkbenchOptions {
+  std::filesystem::path assets, font;
+  std::filesystem::path settings;        // empty: neither read nor written
+  std::filesystem::path pictures = ".";  // folder of saved pictures
+  std::function<std::optional<InputError>(const std::filesystem::path&, const Image&)> write_picture;
+};
+
+/// Needs a current OpenGL context and a current ImGui context.
+class Workbench {
+ public:
+  Workbench(LoadedExperiment loaded, WorkbenchOptions options);
+  ~Workbench();
+
+  /// Between ImGui::NewFrame and ImGui::Render, `size` in pixels. Events → widgets edit a copy of the experiment → if it differs,
+  /// analyze → draw, all in this frame. `presses`: the keys that went down. `display_scale`: pixels per pixel of a plain display.
+  void frame(glm::ivec2 size, double display_scale, const std::vector<KeyPress>& presses);
+
+  /// Fonts and style that the next frame needs.
+  LookKey look(double display_scale) const;
+
+  /// Something happened: the next three frames are drawn (ImGui settles late).
+  void wake() { frames_left_ = 3; }
+  bool needs_redraw() const { return frames_left_ > 0; }
+  /// Seconds until a tooltip is due; infinite if nothing is.
+  double next_wake() const { return next_wake_; }
+
+  /// A file dropped on the window, or a source chosen elsewhere: as Model::open, errors in a pop-up.
+  void open(const std::string& source);
+  void act(Action action);
+
+  bool wants_quit() const { return wants_quit_; }
+
+  /// The window's picture is wanted for a PNG: whoever composed the frame hands it over.
+  bool wants_screen() const { return wants_screen_; }
+  void take_screen(const Image& image);
+
+  const Model& model() const { return model_; }
+  const Settings& settings() const { return settings_; }
+  void set_settings(const Settings& settings) { settings_ = clamped(settings), wake(); }
+  const std::filesystem::path& font() const { return options_.font; }
+  const Places& places() const { return places_; }
+  Renderer& renderer() { return renderer_; }
+  const ViewImages& images() const { return images_; }
+  Dialogs::Kind dialog() const { return dialogs_.shown(); }
+  const std::string& message() const { return message_; }
+  std::string window_title() const;
+  std::filesystem::path last_picture() const { return last_picture_; }
+  std::uint64_t frames() const { return frames_; }            // drawn so far
+  std::uint64_t views_drawn() const { return views_drawn_; }  // pictures of views, so far
+
+ private:
+  struct Frame;  // what one frame passes around
+  void take_keys(const std::vector<KeyPress>& presses);
+  void splitters(Frame& f);
+  void tiles(Frame& f);
+  void pane_fields(Frame& f);
+  void pane_header(Frame& f);
+  void pane_numbers(Frame& f);
+  void badge_line(Frame& f);
+  void dialogs(Frame& f);
+  void commit(Frame& f);
+  void draw_views(Frame& f);
+  void end_frame(Frame& f);
+  void ask_for_picture();
+  void save_picture(const Image& image);
+  void change_technique(int step);
+  void maximise(std::optional<ViewId> view);
+  void fit_views();
+  void commit_now(const Experiment& edited);
+
+  WorkbenchOptions options_;
+  Settings settings_, saved_settings_;
+  Model model_;
+  Renderer renderer_;
+  ViewImages images_;
+  FittedOrbits fitted_;
+  ViewDrag drag_;
+  LightControls light_;
+  Dialogs dialogs_;
+  Requests requests_;
+  Places places_;
+  std::string message_;
+  std::filesystem::path last_picture_;
+  int frames_left_ = 3;
+  double next_wake_ = std::numeric_limits<double>::infinity();
+  double views_ms_ = 0.0;
+  std::uint64_t frames_ = 0, views_drawn_ = 0;
+  bool wants_screen_ = false, wants_quit_ = false;
+};
+
+}  // namespace psm

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What keys and menus make the workbench do.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "ui/workbench.h"
+
+namespace psm {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string scene_stem(const Experiment& experiment) { return fs::path(experiment.scene.source).stem().string(); }
+
+std::optional<ViewId> view_of(Action action) {
+  switch (action) {
+    case Action::maximise_world:
+      return ViewId::world;
+    case Action::maximise_cube:
+      return ViewId::cube;
+    case Action::maximise_map:
+      return ViewId::map;
+    case Action::maximise_eye:
+      return ViewId::eye;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void Workbench::take_keys(const std::vector<KeyPress>& presses) {
+  for (const KeyPress& press : presses) {
+    if (dialogs_.shown() != Dialogs::Kind::none) {
+      if (press.key == key::escape) dialogs_.close();
+      continue;
+    }
+    // Escape in a text field or a menu belongs to it.
+    if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+      continue;
+    if (const auto action = action_of(press)) act(*action);
+  }
+}
+
+void Workbench::act(Action action) {
+  wake();
+  switch (action) {
+    case Action::help:
+      return dialogs_.show(Dialogs::Kind::help);
+    case Action::settings:
+      return dialogs_.show(Dialogs::Kind::settings);
+    case Action::open:
+      return dialogs_.show(Dialogs::Kind::open);
+    case Action::save:
+      return dialogs_.show(Dialogs::Kind::save, scene_stem(model_.experiment()) + ".psm.json");
+    case Action::undo:
+      message_ = model_.undo() ? "undone" : "nothing to undo";
+      return;
+    case Action::redo:
+      message_ = model_.redo() ? "redone" : "nothing to redo";
+      return;
+    case Action::reset:
+      return model_.reset();
+    case Action::fit_views:
+      return fit_views();
+    case Action::show_all:
+      return maximise(std::nullopt);
+    case Action::toggle_pane:
+      settings_.layout.pane_shown = !settings_.layout.pane_shown;
+      return;
+    case Action::toggle_theme:
+      settings_.theme = settings_.theme == Theme::light ? Theme::dark : Theme::light;
+      return;
+    case Action::bigger:
+      settings_.scale_percent += 25;
+      break;
+    case Action::smaller:
+      settings_.scale_percent -= 25;
+      break;
+    case Action::technique_next:
+      return change_technique(+1);
+    case Action::technique_previous:
+      return change_technique(-1);
+    case Action::save_picture:
+      return ask_for_picture();
+    case Action::quit:
+      wants_quit_ = true;
+      return;
+    case Action::copy_state:
+      ImGui::SetClipboardText(experiment_to_json(model_.experiment()).c_str());
+      message_ = "experiment copied as text";
+      return;
+    default:
+      return maximise(view_of(action));
+  }
+  settings_ = clamped(settings_);
+}
+
+void Workbench::commit_now(const Experiment& edited) {
+  model_.end_gesture();
+  model_.commit(edited, "", ImGui::GetTime());
+  model_.end_gesture();
+}
+
+void Workbench::maximise(std::optional<ViewId> view) {
+  Experiment edited = model_.experiment();
+  edited.view.maximised = view;
+  commit_now(edited);
+}
+
+void Workbench::fit_views() {
+  Experiment edited = model_.experiment();
+  edited.view = ViewSettings{};
+  edited.view.maximised = model_.experiment().view.maximised;
+  fitted_.fit_again();
+  commit_now(edited);
+}
+
+void Workbench::change_technique(int step) {
+  const auto& offered = offered_techniques();
+  Experiment edited = model_.experiment();
+  const auto found = std::find(offered.begin(), offered.end(), edited.shadow.technique);
+  const int count = int(offered.size()), at = found == offered.end() ? 0 : int(found - offered.begin());
+  edited.shadow.technique = offered[std::size_t((at + step + count) % count)];
+  commit_now(edited);
+}
+
+void Workbench::open(const std::string& source) {
+  wake();
+  if (const auto error = model_.open(source)) return dialogs_.show(Dialogs::Kind::error, error->text);
+  drag_ = {};
+  fitted_.fit_again();
+  message_ = "opened " + source;
+}
+
+std::string Workbench::window_title() const { return "psmlab: " + scene_stem(model_.experiment()); }
+
+// A view that is alone is saved by itself; all four come with everything around them.
+void Workbench::ask_for_picture() {
+  const auto alone = model_.experiment().view.maximised;
+  if (alone && images_.texture(*alone) != 0)
+    save_picture(renderer_.read_view(*alone));
+  else
+    wants_screen_ = true;
+}
+
+void Workbench::take_screen(const Image& image) {
+  wants_screen_ = false;
+  save_picture(image);
+  wake();
+}
+
+void Workbench::save_picture(const Image& image) {
+  if (!options_.write_picture) return;
+  fs::path file;
+  std::error_code ignored;
+  for (int i = 1; file.empty() || fs::exists(file, ignored); ++i)
+    file = options_.pictures / ("psmlab-" + scene_stem(model_.experiment()) + "-" + std::to_string(i) + ".png");
+  if (const auto error = options_.write_picture(file, image)) return dialogs_.show(Dialogs::Kind::error, error->text);
+  last_picture_ = fs::absolute(file, ignored).lexically_normal();
+  message_ = "picture saved: " + last_picture_.string();
+}
+
+}  // namespace psm
