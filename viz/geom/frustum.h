@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "geom/convex_body.h"
@@ -26,33 +29,31 @@ inline ViewFrame view_frame(const glm::dvec3& eye, const glm::dvec3& forward, co
   return {eye, -glm::dvec3(row(view, 2)), glm::dvec3(row(view, 0)), glm::dvec3(row(view, 1)), tan_x, tan_y};
 }
 
-/// Side planes, then depth >= near, then depth <= far unless far is infinite. Inside: p.x >= 0.
+/// Side planes (left, right, bottom, top), then depth >= near, then depth <= far unless far is infinite. Inside: p.x >= 0.
+/// Normals are rounded once; side planes pass through the eye exactly, the others lie at their distance from it exactly.
 inline std::vector<Plane> frustum_planes(const ViewFrame& v, double near, double far) {
-  const auto through = [](const glm::dvec3& n, const glm::dvec3& p) { return Plane(n, -glm::dot(n, p)); };
+  const glm::dvec3 x = v.tan_x * v.forward, y = v.tan_y * v.forward;
+  const std::pair<glm::dvec3, PlaneId> sides[] = {
+      {x + v.right, PlaneId::left}, {x - v.right, PlaneId::right}, {y + v.up, PlaneId::bottom}, {y - v.up, PlaneId::top}};
   std::vector<Plane> planes;
-  for (const double sign : {1.0, -1.0}) planes.push_back(through(v.tan_x * v.forward + sign * v.right, v.eye));
-  for (const double sign : {1.0, -1.0}) planes.push_back(through(v.tan_y * v.forward + sign * v.up, v.eye));
-  planes.push_back(through(v.forward, v.eye + near * v.forward));
-  if (!std::isinf(far)) planes.push_back(through(-v.forward, v.eye + far * v.forward));
+  planes.reserve(6);
+  for (const auto& [normal, id] : sides) planes.push_back(Plane::through(normal, v.eye, 0.0, id));
+  planes.push_back(Plane::through(v.forward, v.eye, -near, PlaneId::near));
+  if (!std::isinf(far)) planes.push_back(Plane::through(-v.forward, v.eye, far, PlaneId::far));
   return planes;
 }
 
-/// The half-spaces of hull(V + light) for the whole frustum V, in the plane form of convex_body.h. An infinite far face is the
-/// plane at infinity, on which no direction and every position is inside.
+/// The square pyramid around a spot light's cone, from depth `near` on (0: the whole pyramid, its apex the light exactly).
+inline std::vector<Plane> pyramid_planes(const ViewFrame& spot, double near = 0.0) {
+  std::vector<Plane> planes = frustum_planes(spot, near, std::numeric_limits<double>::infinity());
+  for (Plane& p : planes) p.of_light = true;
+  return planes;
+}
+
+/// hull_with_light for a frustum as `frustum_planes` returns it, which may be unbounded (five planes).
+std::vector<Plane> frustum_hull_with_light(std::span<const Plane> frustum, const glm::dvec4& light);
 inline std::vector<Plane> frustum_hull_with_light(const ViewFrame& v, double near, double far, const glm::dvec4& light) {
-  std::vector<Plane> sides = frustum_planes(v, near, far);
-  if (std::isinf(far)) sides.push_back(Plane(0, 0, 0, 1));
-  std::vector<Plane> hull;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const double at_i = glm::dot(sides[i], light);
-    if (at_i >= 0) hull.push_back(sides[i]);
-    for (std::size_t j = 0; j < 6; ++j) {
-      if (i / 2 == j / 2) continue;  // opposite sides share no edge
-      const double at_j = glm::dot(sides[j], light);
-      if (at_i >= 0 && at_j < 0) hull.push_back(at_i * sides[j] - at_j * sides[i]);
-    }
-  }
-  return hull;
+  return frustum_hull_with_light(frustum_planes(v, near, far), light);
 }
 
 }  // namespace psm
