@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "app/commands.h"
+#include "app/measure.h"
 
 namespace psm {
 namespace {
@@ -22,6 +23,7 @@ struct Arguments {
   CurvesText curves;
   RenderArguments render;
   std::string scenes_folder;
+  MeasureArguments measure;
 };
 
 CLI::Option* add_experiment(CLI::App& app, ExperimentArguments& arguments) {
@@ -59,6 +61,13 @@ void add_render(CLI::App& app, RenderArguments& render) {
   app.add_option("--theme", render.theme, "light or dark")->type_name("THEME");
 }
 
+void add_measure(CLI::App& app, MeasureArguments& measure) {
+  app.add_flag("--hard-cases", measure.hard_cases,
+               "Runs the table of hard cases: float, double, exact, error in texels, verdict, time of each");
+  app.add_flag("--csv", measure.csv, "As CSV instead of aligned text");
+  app.add_flag("--json", measure.json, "As JSON instead of aligned text");
+}
+
 /// CLI11's own message, in one line; it names the flag but not what is allowed.
 int refuse(const CLI::ParseError& error, const CLI::App& app) {
   const auto used = app.get_subcommands();
@@ -80,6 +89,8 @@ int parse_and_run(int argc, char** argv) {
   add_curves(curves, arguments.curves);
   CLI::App& render = *app.add_subcommand("render", "Writes views as a PNG, without a display");
   add_render(render, arguments.render);
+  CLI::App& measured = *app.add_subcommand("measure", "Measures, and prints what it cost");
+  add_measure(measured, arguments.measure);
   CLI::App& scenes = *app.add_subcommand("scenes", "Lists the built-in scenes, or writes them as .glb");
   CLI::Option* write = scenes.add_option("--write", arguments.scenes_folder, "The folder to write them to")->type_name("DIR");
 
@@ -102,6 +113,7 @@ int parse_and_run(int argc, char** argv) {
   if (analyze.parsed()) return print_analysis(arguments.experiment, arguments.texels);
   if (curves.parsed()) return print_curves(arguments.curves);
   if (render.parsed()) return render_views(arguments.render);
+  if (measured.parsed()) return measure(arguments.measure);
   if (scenes.parsed()) return write->count() > 0 ? write_scenes(arguments.scenes_folder) : list_scenes();
   return show_window(arguments.experiment);
 }

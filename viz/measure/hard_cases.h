@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The hard cases of shadow mapping in one table: inputs at which formulas cancel, divide by zero, jump or do not exist, each with
+// its exact answer or with what must hold, computed in float, double and extended arithmetic.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace psm {
+
+/// What one arithmetic gives. A value that is not a number is an answer too; `refused` is the name of the reason where the
+/// program declines to give one.
+struct CaseAnswer {
+  long double value = std::numeric_limits<long double>::quiet_NaN();
+  double texels = std::numeric_limits<double>::quiet_NaN();            // error on a map of 1,024; NaN: no map is involved
+  double two_stage_texels = std::numeric_limits<double>::quiet_NaN();  // the same with two matrices for each vertex
+  std::string refused;
+};
+
+enum class Demand {
+  equals,   // the exact answer, within a relative error (absolute where the answer is 0)
+  texels,   // the error in texels at most the bound
+  at_most,  // the value at most the bound
+  above,    // the value greater than the bound
+  refused   // by the name in HardCase::reason
+};
+
+/// What psmlab does, or what others do and psmlab does not; then the row exists to show the difference.
+enum class Form { ours, naive };
+
+using Compute = std::function<CaseAnswer()>;
+
+struct HardCase {
+  int number = 0;        // in the list of hard cases, 1 to 43; 0: the conventions that hold for all of them
+  std::string name;      // the case
+  std::string computed;  // the quantity, its unit, and the function
+  Form form = Form::ours;
+  Demand demand = Demand::equals;
+  double double_bound = 0;  // what double must meet
+  double float_bound = 0;   // what the use of the number needs; float is held to that
+  std::string reason;       // refused
+  /// The exact answer: a closed form, or where `closed_form` is false the same function in extended arithmetic; NaN: neither.
+  long double exact = std::numeric_limits<long double>::quiet_NaN();
+  bool closed_form = false;
+  bool known_to_fail = false;   // ours: in float; naive: in float, in double or in both
+  Compute in_float, in_double;  // in_float empty: the program has no float path here
+};
+
+/// All of them, ordered by number.
+std::vector<HardCase> hard_cases();
+
+/// Whether the answer meets the demand; `bound` is the one of the arithmetic that gave it.
+bool meets(const HardCase& row, const CaseAnswer& answer, double bound);
+
+enum class Verdict { holds, float_fails, refused, naive_fails, broken };
+const char* name_of(Verdict);
+
+/// `broken`: double fails where psmlab must not.
+Verdict judge(const HardCase& row, const CaseAnswer& in_float, const CaseAnswer& in_double);
+
+}  // namespace psm

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cases 13 to 20, 33, 34, 36 and 38: lights before and after the eye's projection, and the maps that follow. The camera stands at
+// (0, 1.7, 0), looks along -z, n = 1, f = 100, 60 degrees, square; the receivers fill its frustum.
+#include <cmath>
+
+#include "math/light_case.h"
+#include "math/psm_variants.h"
+#include "math/texel_footprint.h"
+#include "measure/hard_case_rows.h"
+
+namespace psm {
+namespace {
+
+// Double follows extended within this many texels wherever w runs over less than four orders of magnitude.
+constexpr double kDoubleTexels = 1e-9;
+// Float keeps a map that moves with its light within this many texels; anything larger flickers.
+constexpr double kFlicker = 0.1;
+
+MapScene lit_by(const glm::dvec4& light) {
+  MapScene s;
+  s.light = light;
+  return frustum_scene(s);
+}
+
+auto map_builder(const MapScene& s, MapTechnique technique) {
+  return [s, technique](auto t) { return map_from_world<decltype(t)>(s, technique); };
+}
+
+/// By how many texels the map of `b` differs from that of `a`, on the receivers of `a`.
+template <class T>
+CaseAnswer jump(const MapScene& a, const MapScene& b, MapTechnique ta = MapTechnique::psm, MapTechnique tb = MapTechnique::psm) {
+  const double d =
+      texel_distance(map_points<T>(map_builder(a, ta), a, a.receivers), map_points<T>(map_builder(b, tb), b, a.receivers));
+  return answer(d, d);
+}
+
+template <class T>
+int post_sign(const MapScene& s) {
+  return classify_light(Vec4<T>(s.light), Vec3<T>(s.eye), safe_normalize(Vec3<T>(s.forward))).sign;
+}
+
+/// The receivers as a camera at the light's image L.xyz / L.w sees them, with an opening angle around the cube.
+template <class T>
+std::vector<Vec3<T>> divided_points(const MapScene& s) {
+  const Mat4<T> clip = clip_from_world<T>(s);
+  const Vec4<T> L = clip * unit_light<T>(s);
+  const Vec3<T> eye = Vec3<T>(L) / L.w;
+  const Mat4<T> view = look_along(eye, -eye, Vec3<T>(0, 0, 1));
+  std::vector<Vec3<T>> out;
+  for (const glm::dvec3& x : s.receivers) {
+    const Vec4<T> q = clip * Vec4<T>(Vec3<T>(x), 1), v = view * Vec4<T>(Vec3<T>(q) / q.w, 1);
+    out.push_back(glm::length(eye) / T(2) * Vec3<T>(v) / -v.z);  // the cube is about two wide
+  }
+  return out;
+}
+
+void add_lights_near_the_camera_plane(Rows& rows) {
+  const MapScene parallel = lit_by({0.1, 1, 0, 0}), front = lit_by({0.1, 1, -1e-7, 0}), behind = lit_by({0.1, 1, 1e-7, 0});
+  rows.map(13, "w = 0", "u, PSM", parallel, kDoubleTexels, map_builder(parallel, MapTechnique::psm));
+  rows.map(13, "w = 1e-7", "u, PSM", front, kDoubleTexels, map_builder(front, MapTechnique::psm));
+  rows.map(13, "w = -1e-7", "u, PSM", behind, kDoubleTexels, map_builder(behind, MapTechnique::psm));
+  // u and v move by |dw| times the range of w, 100, times a small factor.
+  rows.at_most(13, "w = -1e-7 to 1e-7", "jump of the map, texels, PSM", 1e-2, kFlicker,
+               [=](auto t) { return jump<decltype(t)>(behind, front); });
+  // The light's image is 1e7 cubes away: the divided form subtracts coordinates of that size.
+  const auto exact = std::make_shared<std::vector<Vec3<Extended>>>(divided_points<Extended>(front));
+  Rows::naive(rows.at_most(13, "w = 1e-7, L.xyz / L.w", "error of the light's lookAt, texels", 1e-3, kVisibleTexels, [=](auto t) {
+    const double d = texel_distance(divided_points<decltype(t)>(front), *exact);
+    return answer(d, d);
+  }));
+
+  MapScene in_plane;  // nothing axis-aligned, so that every dot product rounds
+  in_plane.eye = {0.1, 1.7, 0.3}, in_plane.forward = {0.36, -0.48, -0.8};
+  in_plane.light = glm::dvec4(in_plane.eye + glm::dvec3(0.8, 0.6, 0) * 3.0 + glm::dvec3(-0.48, 0.64, -0.6) * 20.0, 1);
+  in_plane = frustum_scene(in_plane);
+  rows.equals(19, "point in the camera plane", "sign of w within 4 roundings", 0, 0,
+              [=](auto t) { return post_sign<decltype(t)>(in_plane); });
+  rows.at_most(19, "point in the camera plane", "depth of a point nearer to the light less that of its receiver", -1e-3, -1e-3,
+               [=](auto t) {
+                 using T = decltype(t);
+                 const glm::dvec3 x = in_plane.receivers.back(), nearer = x + 0.1 * (glm::dvec3(in_plane.light) - x);
+                 const auto z = map_points<T>(map_builder(in_plane, MapTechnique::psm), in_plane, {x, nearer});
+                 return z[1].z - z[0].z;
+               });
+}
+
+void add_points_near_the_camera_plane(Rows& rows) {
+  const MapScene front = lit_by({6, 21.7, -1e-6, 1}), behind = lit_by({6, 21.7, 1e-6, 1});
+  // 1e-6 at a distance of 20 is less than a rounding of float: there the light stands in the camera plane, both times.
+  Rows::float_fails(rows.equals(20, "point at depth 1e-6 and -1e-6", "difference of the signs of w", 2, 0, [=](auto t) {
+    using T = decltype(t);
+    return post_sign<T>(front) - post_sign<T>(behind);
+  }));
+  rows.at_most(20, "point at depth 1e-6 and -1e-6", "jump of the map, texels, PSM", 1e-2, kFlicker,
+               [=](auto t) { return jump<decltype(t)>(behind, front); });
+}
+
+/// m and anisotropy of every receiver, each with a normal of its own, in an image of 1280 x 720.
+template <class T>
+Range<T> footprints(const MapScene& s, T TexelFootprint<T>::*member) {
+  const Mat4<T> clip = clip_from_world<T>(s), map = map_from_world<T>(s, MapTechnique::psm);
+  Range<T> range;
+  for (std::size_t i = 8; i < s.receivers.size(); ++i) {
+    const Vec3<T> normal(T(0.2) * T(int(i % 5) - 2), T(1), T(0.3) * T(int(i % 3)));
+    range.add(texel_footprint<T>(clip, map, Vec3<T>(s.receivers[i]), normal, 1280, 720, 1024).*member);
+  }
+  return range;
+}
+
+void add_lights_on_the_view_axis(Rows& rows) {
+  const MapScene along = lit_by({0, 0, 1, 0}), at_eye = lit_by({0, 1.7, 0, 1});
+  rows.at_most(14, "light parallel to the view", "PSM less the uniform map, texels", kDoubleTexels, kVisibleTexels,
+               [=](auto t) { return jump<decltype(t)>(along, along, MapTechnique::psm, MapTechnique::uniform); });
+  rows.at_most(15, "light parallel to the view, up = (0,0,1)", "entries of the recipe's matrix that are not finite", 0, 0,
+               [=](auto t) {
+                 using T = decltype(t);
+                 const auto map = recipe_map(clip_from_world<T>(along), unit_light<T>(along)).map_from_world;
+                 int bad = 0;
+                 for (int i = 0; i < 16; ++i) bad += !std::isfinite(map[i / 4][i % 4]);
+                 return bad;
+               });
+  rows.refuses(15, "light parallel to the view, up = (0,0,1)", "what the recipe says", "recipe_up_degenerate", [=](auto t) {
+    using T = decltype(t);
+    return recipe_map(clip_from_world<T>(along), unit_light<T>(along)).degenerate_up ? refused("recipe_up_degenerate")
+                                                                                     : answer(0);
+  });
+  Rows::naive(rows.at_most(15, "the same by lookAt as libraries have it", "entries that are not finite", 0, 0, [](auto t) {
+    using T = decltype(t);
+    const auto view = glm::lookAtRH(Vec3<T>(0, 0, 4), Vec3<T>(0), Vec3<T>(0, 0, 1));
+    int bad = 0;
+    for (int i = 0; i < 16; ++i) bad += !std::isfinite(view[i / 4][i % 4]);
+    return bad;
+  }));
+  // What the eye sees is what the light sees: a point and any point behind it share a texel, in the same order.
+  rows.at_most(18, "light at the eye", "(u, v) of a receiver less that of a point behind it, texels", kDoubleTexels,
+               kVisibleTexels, [=](auto t) {
+                 using T = decltype(t);
+                 std::vector<glm::dvec3> behind;
+                 for (const glm::dvec3& x : at_eye.receivers) behind.push_back(x + 0.5 * (x - at_eye.eye));
+                 const auto build = map_builder(at_eye, MapTechnique::psm);
+                 const double d =
+                     texel_distance(map_points<T>(build, at_eye, at_eye.receivers), map_points<T>(build, at_eye, behind));
+                 return answer(d, d);
+               });
+  // det of the 2 x 2 Jacobians cancels by the square of n / f at grazing receivers: 1e4 roundings.
+  rows.at_most(18, "light at the eye", "largest m over smallest m, less 1", 1e-10, 1e-2, [=](auto t) {
+    using T = decltype(t);
+    const Range<T> m = footprints<T>(at_eye, &TexelFootprint<T>::m);
+    return m.max / m.min - T(1);
+  });
+  rows.equals(18, "light at the eye, image 1280 x 720", "anisotropy = aspect", 16 / Extended(9), 1e-10,
+              [=](auto t) {
+                using T = decltype(t);
+                return footprints<T>(at_eye, &TexelFootprint<T>::anisotropy).max;
+              })
+      .float_bound = 1e-2;
+}
+
+/// L = (0.5, 0, A, 1) in the cube; its world direction.
+MapScene on_screen_light() {
+  MapScene s;
+  s.light = glm::dvec4(0.5 * s.tan_phi, 0, -1, 0);
+  return frustum_scene(s);
+}
+
+void add_aim(Rows& rows) {
+  const Extended A = Extended(101) / 99;
+  const MapScene s = on_screen_light();
+  rows.equals(16, "vanishing point (0.5, 0)", "w'' at (1, 1, 1), looking at the centre",
+              1 - (Extended(0.5L) + A) / (Extended(0.25L) + A * A), 1e-14, [=](auto t) {
+                using T = decltype(t);
+                const Vec4<T> L = clip_from_world<T>(s) * unit_light<T>(s);
+                const T r = glm::length(Vec3<T>(L));
+                return T(1) - L.w / r * glm::dot(Vec3<T>(L) / r, Vec3<T>(1));
+              });
+  rows.above(16, "vanishing point (0.5, 0), aimed again", "smallest w on the receivers over the largest", 1e-9, [=](auto t) {
+    using T = decltype(t);
+    const auto build = map_builder(s, MapTechnique::psm);
+    Range<T> w;
+    if constexpr (std::is_same_v<T, float>)
+      for (const glm::vec4& q : float_clip_points(build(double{}), s, s.receivers, FloatPath::composed)) w.add(q.w);
+    else
+      w = value_range<T>(row(build(T{}), 3), points_in<T>(s.receivers));
+    return w.min / w.max;
+  });
+  rows.map(16, "vanishing point (0.5, 0), aimed again", "u, PSM", s, 1e-6, map_builder(s, MapTechnique::psm));
+  rows.equals(17, "f = infinity", "z / w of a directional light: the far face", 1, 0, [](auto t) {
+    using T = decltype(t);
+    const Vec4<T> L = perspective(T(1), T(1), T(1), std::numeric_limits<T>::infinity()) * Vec4<T>(T(0.3), T(0.4), T(-0.7), T(0));
+    return L.z / L.w;
+  });
+}
+
+void add_depth_conventions(Rows& rows) {
+  const MapScene s = lit_by({0.1, 1, -0.4, 0}), opposite = lit_by({-0.1, -1, 0.4, 0});
+  rows.at_most(33, "l -> -l", "|u|, v less those of l, texels", kDoubleTexels, kVisibleTexels, [=](auto t) {
+    using T = decltype(t);
+    auto a = map_points<T>(map_builder(s, MapTechnique::psm), s, s.receivers),
+         b = map_points<T>(map_builder(opposite, MapTechnique::psm), opposite, s.receivers);
+    for (auto& p : b) p.x = -p.x;  // the map is seen from its other side
+    const double d = texel_distance(a, b);
+    return answer(d, d);
+  });
+  rows.at_most(33, "l -> -l", "product of the depth steps along a ray: order flipped", -1e-9, -1e-9, [=](auto t) {
+    using T = decltype(t);
+    const glm::dvec3 x = s.receivers.back();
+    const std::vector<glm::dvec3> ray{x, x + glm::dvec3(s.light)};
+    const auto a = map_points<T>(map_builder(s, MapTechnique::psm), s, ray),
+               b = map_points<T>(map_builder(opposite, MapTechnique::psm), opposite, ray);
+    return (a[1].z - a[0].z) * (b[1].z - b[0].z);
+  });
+  // z' = (z + w) / 2 and its reverse, and the clip matrix undone to the symmetric cube before the aim is taken.
+  const auto depth_row = [](auto t, int convention) {
+    using T = decltype(t);
+    Mat4<T> m(1);
+    if (convention == 0) m[2][2] = T(0.5), m[3][2] = T(0.5);   // D3D: 0 near, 1 far
+    if (convention == 1) m[2][2] = T(-0.5), m[3][2] = T(0.5);  // reversed: 1 near, 0 far
+    return m;
+  };
+  for (const int convention : {0, 1}) {
+    const char* name = convention == 0 ? "D3D depth" : "reversed depth";
+    rows.equals(34, name, "z / w of the infinity plane", convention == 0 ? Extended(100) / 99 : Extended(-1) / 99, 1e-13,
+                [=](auto t) {
+                  using T = decltype(t);
+                  const Vec4<T> L = depth_row(t, convention) * clip_from_world<T>(s) * unit_light<T>(s);
+                  return L.z / L.w;
+                });
+    // The map of the GL cube is what both must match.
+    const auto of_cube = [=](auto t, bool symmetric) {
+      using T = decltype(t);
+      const Mat4<T> depth = depth_row(t, convention);
+      const Mat4<T> clip = (symmetric ? glm::inverse(depth) : Mat4<T>(1)) * depth * clip_from_world<T>(s);
+      const auto receivers = points_in<T>(s.receivers);
+      return fit_map<T>(frame_of<T>(s), psm_plane<T>(clip, unit_light<T>(s), receivers).plane, receivers, receivers)
+          .map_from_world;
+    };
+    const auto exact =
+        std::make_shared<std::vector<Vec3<Extended>>>(map_points<Extended>(map_builder(s, MapTechnique::psm), s, s.receivers));
+    rows.map_against(34, name, "u, PSM in the symmetric cube", s, kDoubleTexels, exact, [=](auto t) { return of_cube(t, true); });
+    Rows::naive(rows.map_against(34, name, "u, looking at the origin of that cube: another plane", s, kDoubleTexels, exact,
+                                 [=](auto t) { return of_cube(t, false); }));
+  }
+}
+
+/// The largest move of the map while the light turns through +Y (or -Y) by 1e-7.
+template <class T>
+CaseAnswer jump_at_pole(double y) {
+  CaseAnswer worst = answer(0, 0);
+  for (const glm::dvec2 side : {glm::dvec2(1e-7, 0), glm::dvec2(0, 1e-7), glm::dvec2(1e-7, 1e-7)}) {
+    const CaseAnswer j = jump<T>(lit_by({side.x, y, side.y, 0}), lit_by({-side.x, y, -side.y, 0}));
+    if (!(j.texels <= worst.texels)) worst = j;
+  }
+  return worst;
+}
+
+void add_bases(Rows& rows) {
+  rows.at_most(36, "light through +Y", "jump of the map, texels, PSM", 2e-2, kFlicker,
+               [](auto t) { return jump_at_pole<decltype(t)>(1); });
+  rows.at_most(36, "light through -Y", "jump of the map, texels, PSM", 2e-2, kFlicker,
+               [](auto t) { return jump_at_pole<decltype(t)>(-1); });
+  Rows::naive(rows.at_most(36, "light through +Y, up = +Y fixed", "turn of the light's x axis, degrees", 1, 1, [](auto t) {
+    using T = decltype(t);
+    const auto x_axis = [](T x) { return row(glm::lookAtRH(Vec3<T>(x, 1, 0), Vec3<T>(0), Vec3<T>(0, 1, 0)), 0); };
+    const Vec3<T> a(x_axis(T(1e-7))), b(x_axis(T(-1e-7)));
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * T(kDegrees);
+  }));
+}
+
+/// Some unit vectors whose dot product with themselves rounds to more than 1, among 1,000.
+template <class T>
+std::vector<Vec3<T>> unit_vectors() {
+  std::vector<Vec3<T>> v;
+  for (int i = 0; i < 1000; ++i)
+    v.push_back(glm::normalize(Vec3<T>(T(i % 10) - T(4.3), T(i / 10 % 10) - T(5.1), T(i / 100) + T(0.7))));
+  return v;
+}
+
+void add_angles(Rows& rows) {
+  rows.equals(38, "|dot| > 1 by rounding", "angles between a unit vector and itself that are no number", 0, 0, [](auto t) {
+    int bad = 0;
+    for (const auto& v : unit_vectors<decltype(t)>()) bad += std::isnan(line_angle(v, v));
+    return bad;
+  });
+  Rows::naive(rows.equals(38, "|dot| > 1 by rounding", "the same by acos, of 1,000", 0, 0, [](auto t) {
+    int bad = 0;
+    for (const auto& v : unit_vectors<decltype(t)>()) bad += std::isnan(std::acos(glm::dot(v, v)));
+    return bad;
+  }));
+  const auto vectors = [](auto t) {
+    using T = decltype(t);
+    const Extended a = Extended(0.01L) / 57.295779513082320876798154814105170L;
+    const Vec3<T> v(0, T(0.6), T(-0.8)), l(T(std::sin(a)), T(0.6L * std::cos(a)), T(-0.8L * std::cos(a)));
+    return std::pair(v, l);
+  };
+  // The vectors' own roundings turn them by 1e-16 rad, of 1.7e-4.
+  rows.equals(38, "theta = 0.01 deg", "theta by atan2, degrees", Extended(0.01L), 1e-11,
+              [=](auto t) {
+                const auto [v, l] = vectors(t);
+                return line_angle(v, l) * decltype(t)(57.295779513082320876798154814105170L);
+              })
+      .float_bound = 1e-2;
+  Rows::naive(rows.equals(38, "theta = 0.01 deg", "theta by acos, degrees", Extended(0.01L), 1e-11, [=](auto t) {
+    const auto [v, l] = vectors(t);
+    return std::acos(std::min(glm::dot(v, l), decltype(t)(1))) * decltype(t)(57.295779513082320876798154814105170L);
+  }));
+}
+
+}  // namespace
+
+void add_projection_cases(Rows& rows) {
+  add_lights_near_the_camera_plane(rows);
+  add_points_near_the_camera_plane(rows);
+  add_lights_on_the_view_axis(rows);
+  add_aim(rows);
+  add_depth_conventions(rows);
+  add_bases(rows);
+  add_angles(rows);
+}
+
+}  // namespace psm

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cases 21 to 30, 39, 41 to 43: bodies, whole analyses, and casters where the eye does not look.
+#include <cmath>
+
+#include "math/light_case.h"
+#include "math/psm_variants.h"
+#include "math/texel_footprint.h"
+#include "measure/hard_case_rows.h"
+#include "scene/analysis.h"
+
+namespace psm {
+namespace {
+
+using glm::dvec3, glm::dvec4;
+
+constexpr double kDoubleTexels = 1e-9;
+
+/// A scene that is nothing but its box.
+Scene box_scene(dvec3 min, dvec3 max) {
+  Scene s;
+  s.id = "box";
+  s.materials.resize(1);
+  Mesh m;
+  m.positions = {min, max, {min.x, max.y, min.z}};
+  m.triangles = {0, 1, 2};
+  s.meshes = {m};
+  s.bounds.add(min);
+  s.bounds.add(max);
+  return s;
+}
+
+Scene room() { return box_scene({-4, 0, -5}, {4, 3, 5}); }
+
+Experiment standing(Technique technique = Technique::psm) {
+  Experiment x;
+  x.camera = {{0, 1.7, 0}, {0, 1.7, -1}, {0, 1, 0}, 60, 0.1, 100};
+  x.image = {1024, 1024};
+  x.shadow.technique = technique;
+  return x;
+}
+
+Experiment point_lit(dvec3 position, Technique technique = Technique::psm) {
+  Experiment x = standing(technique);
+  x.light.type = LightType::point;
+  x.light.position = position;
+  return x;
+}
+
+bool has_note(const Analysis& a, const char* code) {
+  return std::any_of(a.notes.begin(), a.notes.end(), [&](const Note& n) { return n.code == code; });
+}
+
+CaseAnswer refusal(const Analysis& a, const char* code) { return has_note(a, code) ? refused(code) : answer(0); }
+
+int not_finite(const Analysis& a) {
+  int bad = 0;
+  for (int i = 0; i < 16; ++i) bad += a.map_from_world && !std::isfinite((*a.map_from_world)[i / 4][i % 4]);
+  return bad;
+}
+
+/// Smallest w of the map on the receivers over the largest.
+template <class T>
+CaseAnswer smallest_w(const Analysis& a) {
+  Range<Extended> w;
+  const std::vector<dvec3>& points = a.receivers_body.vertices;
+  if constexpr (std::is_same_v<T, float>)
+    for (const glm::vec4& q : float_clip_points(*a.map_from_world, {}, points, FloatPath::composed)) w.add(q.w);
+  else
+    for (const dvec3& x : points) w.add((*a.map_from_world * dvec4(x, 1)).w);
+  return answer(w.min / w.max);
+}
+
+/// A row that an analysis answers, in float as the graphics processor sees its matrix.
+template <class F>
+HardCase& analysis_row(Rows& rows, int number, const char* name, const char* computed, Demand demand, double bound, F f) {
+  HardCase& row = rows.analysis(number, name, computed, demand, f);
+  row.double_bound = row.float_bound = bound;
+  return row;
+}
+
+HardCase& refuses(Rows& rows, int number, const char* name, const char* computed, const char* reason, const Experiment& x,
+                  const Scene& scene) {
+  HardCase& row = rows.analysis(number, name, computed, Demand::refused, [=] { return refusal(analyze(x, scene), reason); });
+  row.reason = reason;
+  return row;
+}
+
+void add_lights_in_the_scene(Rows& rows) {
+  rows.equals(21, "point 3 behind the eye, H shifted in front", "w after the shift = n", 1, 1e-15, [](auto t) {
+    using T = decltype(t);
+    const std::vector<T> depths{T(-3), T(-1), T(4)};  // the light and two vertices of H
+    return T(-3) + shift_in_front<T>(depths, T(1));
+  });
+  analysis_row(rows, 21, "point 3 behind the eye, inside S", "w after psm_divided's own shift; below 0 if its depth is reversed",
+               Demand::above, 0, [scene = room(), x = point_lit({0, 1, 3}, Technique::psm_divided)] {
+                 const Analysis a = analyze(x, scene);
+                 return a.reversed_depth ? -1.0 : a.light_case.w + a.camera_shift;
+               });
+  refuses(rows, 22, "point inside R", "a single map", "light_inside_receivers", point_lit({0, 1, -3}), room());
+  analysis_row(rows, 22, "point inside V, outside R", "smallest w on R over the largest, single map", Demand::above, 0,
+               [scene = room(), x = point_lit({0, 3.2, -4.5})] {
+                 const Analysis a = analyze(x, scene);
+                 return a.map_from_world && a.light_case.inside_frustum ? smallest_w<double>(a) : answer(-1);
+               });
+  refuses(rows, 23, "light on a face of R", "a single map", "light_inside_receivers", point_lit({0, 0, -3}), room());
+  rows.at_most(23, "light on a face of R", "cosine of the half angle of the cone around R, not above 0", 1e-15, 1e-6, [](auto t) {
+    using T = decltype(t);
+    std::vector<Vec3<T>> d;
+    for (int i = 0; i < 8; ++i) d.push_back(safe_normalize(Vec3<T>(T(i & 1 ? 4 : -3), T(i & 2 ? 3 : 0), T(i & 4 ? 2 : -5))));
+    return smallest_enclosing_cone<T>(d).cosine;
+  });
+  Experiment spot = standing();
+  spot.light.type = LightType::spot;
+  spot.light.position = {0, 1, -3}, spot.light.target = {0, 0, -4};
+  HardCase& row = analysis_row(rows, 24, "spot inside the frustum", "smallest w on its cone's part of R over the largest",
+                               Demand::above, 0, [=, scene = room()] { return smallest_w<double>(analyze(spot, scene)); });
+  row.in_float = [=, scene = room()] { return smallest_w<float>(analyze(spot, scene)); };
+}
+
+/// A light from behind: the ray from the receiver (1, 0, -4) to it meets the camera plane z = 0 at (2, 10, 0).
+MapScene lit_from_behind() {
+  MapScene s;
+  s.light = {0.1, 1, 0.4, 0};
+  return frustum_scene(s);
+}
+
+auto psm_builder(const MapScene& s) {
+  return [s](auto t) { return map_from_world<decltype(t)>(s, MapTechnique::psm); };
+}
+
+void add_casters_behind_the_eye(Rows& rows) {
+  const MapScene s = lit_from_behind();
+  const dvec3 receiver(1, 0, -4), in_plane(2, 10, 0), behind(6, 50, 16);
+  rows.at_most(25, "caster 16 behind the eye", "its depth in the map less its receiver's, no shift", -1e-6, -1e-6, [=](auto t) {
+    using T = decltype(t);
+    const auto p = map_points<T>(psm_builder(s), s, {receiver, behind});
+    return p[1].z - p[0].z;
+  });
+  rows.at_most(25, "caster 16 behind the eye", "its (u, v) less its receiver's, texels", kDoubleTexels, kVisibleTexels,
+               [=](auto t) {
+                 using T = decltype(t);
+                 const auto p = map_points<T>(psm_builder(s), s, {receiver, behind});
+                 const double d = texel_distance<T, T>({p[0]}, {p[1]});
+                 return answer(d, d);
+               });
+  rows.at_most(26, "vertex of H with w = 0", "its (u, v) less its receiver's, texels, composed", kDoubleTexels, kVisibleTexels,
+               [=](auto t) {
+                 using T = decltype(t);
+                 const auto p = map_points<T>(psm_builder(s), s, {receiver, in_plane});
+                 const double d = texel_distance<T, T>({p[0]}, {p[1]});
+                 return answer(d, d);
+               });
+  Rows::naive(
+      rows.at_most(26, "vertex of H with w = 0", "coordinates in the cube, divided by w, that are not finite", 0, 0, [=](auto t) {
+        using T = decltype(t);
+        const Vec4<T> q = clip_from_world<T>(s) * Vec4<T>(Vec3<T>(in_plane), 1);
+        int bad = 0;
+        for (int i = 0; i < 3; ++i) bad += !std::isfinite(q[i] / q.w);
+        return bad;
+      }));
+  // c.l = 0: w does not change along a ray. The eye's own w does.
+  rows.at_most(43, "caster inside the receivers' footprint", "change of w from receiver to caster, GMNPR", 1e-12, 1e-4,
+               [=](auto t) {
+                 using T = decltype(t);
+                 const std::vector<dvec3> points{receiver, behind};
+                 const auto build = [&](auto u) { return map_from_world<decltype(u)>(s, MapTechnique::gmnpr); };
+                 if constexpr (std::is_same_v<T, float>) {
+                   const auto q = float_clip_points(build(double{}), s, points, FloatPath::composed);
+                   return std::abs(q[1].w / q[0].w - 1);
+                 } else {
+                   const Vec4<T> c = row(build(T{}), 3);
+                   return std::abs(glm::dot(c, Vec4<T>(Vec3<T>(behind), 1)) / glm::dot(c, Vec4<T>(Vec3<T>(receiver), 1)) - T(1));
+                 }
+               });
+  Rows::naive(
+      rows.above(43, "caster inside the receivers' footprint", "w by which a divided PSM divides, at the caster", 0, [=](auto t) {
+        using T = decltype(t);
+        return (clip_from_world<T>(s) * Vec4<T>(Vec3<T>(behind), 1)).w;
+      }));
+}
+
+void add_degenerate_bodies(Rows& rows) {
+  Experiment away = standing();
+  away.camera.target = {0, 50, -1};
+  Experiment outside = away;
+  outside.camera.position = {0, 20, 0};
+  refuses(rows, 27, "R empty: the eye looks away", "shadows at all", "nothing_visible", outside, room());
+  analysis_row(rows, 27, "R empty: the eye looks away", "entries of the map that are not finite", Demand::at_most, 0,
+               [=, scene = room()] { return not_finite(analyze(outside, scene)); });
+  Experiment grazing = standing();
+  grazing.light.to_light = {1, 0, 0};
+  const Scene flat = box_scene({-5, 0, -9}, {5, 0, 0});
+  refuses(rows, 28, "flat scene, light in its plane", "an unpadded window", "window_padded", grazing, flat);
+  analysis_row(rows, 28, "flat scene, light in its plane", "entries of the map that are not finite", Demand::at_most, 0,
+               [=] { return not_finite(analyze(grazing, flat)); });
+  analysis_row(rows, 28, "flat scene, light above", "smallest w on R over the largest", Demand::above, 0,
+               [=] { return smallest_w<double>(analyze(standing(), flat)); });
+  Experiment infinite = standing();
+  infinite.camera.far = std::numeric_limits<double>::infinity();
+  analysis_row(rows, 17, "f = infinity, PSM", "entries of the map that are not finite", Demand::at_most, 0,
+               [=, scene = room()] { return not_finite(analyze(infinite, scene)); });
+  Experiment deep = standing(Technique::gmnpr);
+  deep.camera.near = 1, deep.camera.far = 800;
+  deep.light.to_light = {0, std::sin(20 / kDegrees), -std::cos(20 / kDegrees)};
+  refuses(rows, 7, "f = 800, theta = 20 deg", "being better than uniform", "worse_than_uniform", deep,
+          box_scene({-1000, -1, -1000}, {1000, 1.6, 1000}));
+  analysis_row(rows, 37, "eye inside the scene, LiSPSM", "smallest depth of R in an analysis", Demand::above, 0,
+               [scene = room(), x = standing(Technique::lispsm_reference)] { return *analyze(x, scene).near; });
+  rows.equals(39, "5 of 8 points rejected", "lower end of the range of those at 5, 6, 7", 5, 0, [](auto t) {
+    using T = decltype(t);
+    Range<T> range;
+    for (int i = 0; i < 8; ++i)
+      if (i >= 5) range.add(T(i));
+    return range.min;
+  });
+  Rows::naive(rows.equals(39, "5 of 8 points rejected", "the same where they stay in an array of zeros", 5, 0, [](auto t) {
+    using T = decltype(t);
+    T kept[8] = {};
+    for (int i = 5; i < 8; ++i) kept[i] = T(i);
+    return *std::min_element(kept, kept + 8);
+  }));
+}
+
+template <class T>
+T tan_phi_effective(T light_x, T light_y, T tan_x, T tan_y) {
+  return (std::abs(light_x) * tan_x + std::abs(light_y) * tan_y) / std::hypot(light_x, light_y);
+}
+
+void add_angles_and_footprints(Rows& rows) {
+  rows.equals(29, "square frustum, diagonal light", "tan(phi_eff) / tan(phi)", std::sqrt(Extended(2)), 1e-15,
+              [](auto t) { return tan_phi_effective<decltype(t)>(1, 1, 1, 1); });
+  HardCase& row =
+      rows.analysis(29, "square frustum, diagonal light", "the same in an analysis", Demand::equals, [scene = room()] {
+        Experiment x = standing(Technique::gmnpr);
+        x.light.to_light = {1, 1, -0.5};
+        return std::tan(*analyze(x, scene).phi) / std::tan(30 / kDegrees);
+      });
+  row.exact = std::sqrt(Extended(2));
+  row.closed_form = true;
+  row.double_bound = 1e-14;
+  const Extended inf = std::numeric_limits<Extended>::infinity();
+  const auto m_of = [](auto t, dvec4 light, dvec3 normal) {
+    using T = decltype(t);
+    MapScene s;
+    s.light = light;
+    s = frustum_scene(s);
+    return texel_footprint<T>(clip_from_world<T>(s), map_from_world<T>(s, MapTechnique::uniform), Vec3<T>(0, 0, -8),
+                              Vec3<T>(normal), 1024, 1024, 1024)
+        .m;
+  };
+  rows.equals(30, "receiver contains the light ray, along an axis", "m, px", inf, 0, [=](auto t) {
+    return m_of(t, {0, 1, 0, 0}, {0, 0, 1});
+  });
+  rows.above(30, "receiver contains the light ray, askew", "m, px: large, not NaN", 1e4, [=](auto t) {
+    return m_of(t, {0.1, 1, -0.4, 0}, {0.0, 0.4, 1.0});
+  });
+}
+
+/// How far an eye moves on in the map when it moves by `step` around x = 0, in steps of the texel that a snapped map would keep
+/// to.
+void add_snapping(Rows& rows) {
+  const auto zero_step = [](auto t, auto snap) {
+    using T = decltype(t);
+    int at_zero = 0;  // of 4,000 places, 1,000 a texel
+    for (int i = -2000; i < 2000; ++i) at_zero += snap((T(i) + T(0.5)) / T(1000)) == T(0);
+    return T(at_zero) / T(1000);
+  };
+  Rows::naive(rows.at_most(41, "snapping to texels, x - fmod(x, 1)", "width of the step around 0, texels", 1, 1,
+                           [=](auto t) { return zero_step(t, [](auto x) { return x - std::fmod(x, decltype(x)(1)); }); }));
+  rows.at_most(41, "eye moved from x = -1e-6 to 1e-6, psmlab does not snap", "jump of the map, texels, PSM", 1e-3, 0.1,
+               [](auto t) {
+                 using T = decltype(t);
+                 MapScene left = frustum_scene(), right = left;  // the same receivers
+                 left.eye.x = -1e-6, right.eye.x = 1e-6;
+                 const double d = texel_distance(map_points<T>(psm_builder(left), left, left.receivers),
+                                                 map_points<T>(psm_builder(right), right, left.receivers));
+                 return answer(d, d);
+               });
+}
+
+/// The room times a factor, seen and lit alike.
+Analysis scaled_room(double factor) {
+  Experiment x = standing();
+  x.light.to_light = {0.3, 1, -0.4};
+  for (dvec3* p : {&x.camera.position, &x.camera.target}) *p *= factor;
+  x.camera.near *= factor, x.camera.far *= factor;
+  const Scene s = room();
+  return analyze(x, box_scene(s.bounds.min * factor, s.bounds.max * factor));
+}
+
+int vertices_and_facets(const Analysis& a) {
+  int sum = 0;
+  for (const ConvexBody* b : {&a.receivers_body, &a.caster_body, &a.depth_body})
+    sum += 100 * int(b->vertices.size()) + int(b->facets.size());
+  return sum;
+}
+
+void add_scales(Rows& rows) {
+  for (const double factor : {1e-4, 1e4}) {
+    const char* name = factor < 1 ? "scene times 1e-4" : "scene times 1e4";
+    analysis_row(rows, 42, name, "vertices (hundreds) and facets of R, H, H_R less those at scale 1", Demand::equals, 0, [=] {
+      return vertices_and_facets(scaled_room(factor)) - vertices_and_facets(scaled_room(1));
+    }).exact = 0;
+    const auto difference = [=](auto t) {
+      using T = decltype(t);
+      const Analysis a = scaled_room(1), b = scaled_room(factor);
+      std::vector<dvec3> scaled;
+      for (const dvec3& x : a.receivers_body.vertices) scaled.push_back(x * factor);
+      const auto map = [](const Analysis& of) { return [&of](auto u) { return Mat4<decltype(u)>(*of.map_from_world); }; };
+      const double d = texel_distance(map_points<T>(map(a), {}, a.receivers_body.vertices), map_points<T>(map(b), {}, scaled));
+      return answer(d, d);
+    };
+    HardCase& row = analysis_row(rows, 42, name, "the map less that at scale 1, texels", Demand::at_most, 0.5,
+                                 [=] { return difference(double{}); });
+    row.double_bound = kDoubleTexels;
+    row.in_float = [=] { return difference(float{}); };
+  }
+}
+
+}  // namespace
+
+void add_scene_cases(Rows& rows) {
+  add_lights_in_the_scene(rows);
+  add_casters_behind_the_eye(rows);
+  add_degenerate_bodies(rows);
+  add_angles_and_footprints(rows);
+  add_snapping(rows);
+  add_scales(rows);
+}
+
+}  // namespace psm
