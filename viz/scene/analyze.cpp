@@ -62,14 +62,12 @@ std::vector<Plane> spot_planes(const Stages& s, Analysis& a) {
   const bool inside = glm::all(glm::greaterThanEqual(l.position, b.min)) && glm::all(glm::lessThanEqual(l.position, b.max));
   const double near = inside ? 1e-3 * reach : 0.0;
   if (inside) note(a, "light_near_distance", "The light stands inside the scene: its cone starts at a near distance.", near);
-  return frustum_planes(spot, near, std::numeric_limits<double>::infinity());
+  return pyramid_planes(spot, near);
 }
 
+/// Closed, and exact: a light on a face is inside.
 bool contains(std::span<const Plane> planes, const dvec4& point) {
-  return std::all_of(planes.begin(), planes.end(), [&](const Plane& p) {
-    const dvec4 t = glm::abs(p * point);
-    return glm::dot(p, point) >= -8 * epsilon<double>() * (t.x + t.y + t.z + t.w);
-  });
+  return std::all_of(planes.begin(), planes.end(), [&](const Plane& p) { return exact_side(p, point) >= 0; });
 }
 
 /// A body that stands in for the receivers where nothing is visible, so that every matrix stays finite.
