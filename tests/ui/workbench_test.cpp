@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <imgui.h>
+
 #include <fstream>
 
 #include "harness.h"
@@ -212,6 +214,22 @@ TEST(Workbench, HelpOpensAndEscapeClosesIt) {
   bench.key('R');
   bench.key(key::escape);
   EXPECT_EQ(bench.work().dialog(), Dialogs::Kind::none);
+}
+
+TEST(Workbench, TheNotesBadgeShowsTheNotes) {
+  Bench bench("chessboard");
+  ASSERT_FALSE(bench.analysis().notes.empty());
+  const Rect pane = bench.work_places().at("pane.fields");
+  EXPECT_GT(bench.work_places().at("notes").min.y, pane.max.y);
+  bench.click(bench.at("badge.notes"));
+  const Rect notes = bench.work_places().at("notes");
+  EXPECT_TRUE(notes.min.y >= pane.min.y && notes.max.y <= pane.max.y);
+}
+
+TEST(Workbench, TheFontHasEveryGlyphInUse) {
+  Bench bench;
+  for (const ImWchar c : {0xB0, 0x3B8, 0x3C6, 0x3C1, 0x3BB, 0x3BA, 0xB7, 0x2212, 0x2014, 0x2026, 0x221E, 0x21BA, 0x25B6})
+    EXPECT_NE(ImGui::GetIO().Fonts->Fonts[0]->FindGlyphNoFallback(c), nullptr) << std::hex << c;
 }
 
 TEST(Workbench, NavigationTurnsMovesAndZooms) {

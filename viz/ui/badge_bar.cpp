@@ -26,7 +26,7 @@ Badge notes_badge(const Model& model, Theme theme) {
   const std::size_t count = all_notes(model.scene(), model.analysis()).size();
   const std::string text = count == 0 ? "no notes" : std::to_string(count) + (count == 1 ? " note" : " notes");
   return {count == 0 ? BadgeShape::none : BadgeShape::square, text,
-          "Fallbacks, clamps and limits: at the end of the control pane.", warning_color(theme), "badge.notes"};
+          "Fallbacks, clamps and limits. A click shows them in the control pane.", warning_color(theme), "badge.notes"};
 }
 
 std::string milliseconds(double ms) {
@@ -83,7 +83,7 @@ std::vector<ImVec2> badge_corners(const std::vector<Badge>& badges, float width)
   return corners;
 }
 
-void draw_badge(UiContext& ui, const Badge& badge, ImVec2 at) {
+bool draw_badge(UiContext& ui, const Badge& badge, ImVec2 at) {
   const float em = ImGui::GetFontSize(), height = line_height() - gap(), y = at.y + 0.5f * gap();
   const ImVec2 end{at.x + badge_width(badge), y + height};
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 0.3f * em);
@@ -92,9 +92,10 @@ void draw_badge(UiContext& ui, const Badge& badge, ImVec2 at) {
   ImGui::GetWindowDrawList()->AddText({at.x + 0.5f * em + shape_width(badge), std::floor(y + 0.5f * (height - em))}, text_color(),
                                       badge.text.c_str());
   ImGui::SetCursorScreenPos({at.x, y});
-  ImGui::InvisibleButton(badge.name.c_str(), {std::max(1.0f, end.x - at.x), height});
+  const bool clicked = ImGui::InvisibleButton(badge.name.c_str(), {std::max(1.0f, end.x - at.x), height});
   note_place(ui, badge.name);
   rest_tooltip(badge.help.empty() ? badge.text : badge.help);
+  return clicked;
 }
 
 }  // namespace
@@ -123,10 +124,12 @@ int badge_bar_height(int width) {
   return lines * int(line_height());
 }
 
-void badge_bar(UiContext& ui, const std::vector<Badge>& badges, const Rect& bar) {
+std::string badge_bar(UiContext& ui, const std::vector<Badge>& badges, const Rect& bar) {
   const auto corners = badge_corners(badges, float(bar.size().x));
+  std::string clicked;
   for (std::size_t i = 0; i < badges.size() && corners[i].y + line_height() <= float(bar.size().y) + 1.0f; ++i)
-    draw_badge(ui, badges[i], {float(bar.min.x) + corners[i].x, float(bar.min.y) + corners[i].y});
+    if (draw_badge(ui, badges[i], {float(bar.min.x) + corners[i].x, float(bar.min.y) + corners[i].y})) clicked = badges[i].name;
+  return clicked;
 }
 
 }  // namespace psm

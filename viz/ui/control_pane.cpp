@@ -65,16 +65,44 @@ void scene_selector(UiContext& ui, Requests& requests) {
   ImGui::EndCombo();
 }
 
-void technique_selector(UiContext& ui, Experiment& experiment) {
-  const float right = std::floor(0.41f * ImGui::GetContentRegionAvail().x) + ImGui::GetCursorPosX();
+/// Width of a column of radio buttons: every second technique.
+float column_width(int first) {
+  float widest = 0.0f;
+  for (std::size_t i = std::size_t(first); i < offered.size(); i += 2)
+    widest = std::max(widest, ImGui::CalcTextSize(display_name(offered[i])).x);
+  return widest + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
+/// Large type in a narrow pane has no room for two columns.
+bool has_room_for_buttons(float width) { return column_width(0) + column_width(1) + 4.0f <= width; }
+
+void technique_item(UiContext& ui, Technique technique, bool chosen, Experiment& experiment) {
+  if (chosen) experiment.shadow.technique = technique;
+  note_place(ui, std::string("shadow.technique=") + name_of(technique));
+  rest_tooltip(explanation(technique));
+}
+
+void technique_buttons(UiContext& ui, Experiment& experiment) {
+  const float spare = ImGui::GetContentRegionAvail().x - column_width(0) - column_width(1);
+  const float right = ImGui::GetCursorPosX() + std::floor(column_width(0) + std::min(spare, 2.0f * ImGui::GetFontSize()));
   for (int i = 0; i < int(offered.size()); ++i) {
     if (i % 2 == 1) ImGui::SameLine(right);
     const Technique technique = offered[std::size_t(i)];
-    if (ImGui::RadioButton(display_name(technique), experiment.shadow.technique == technique))
-      experiment.shadow.technique = technique;
-    note_place(ui, std::string("shadow.technique=") + name_of(technique));
-    rest_tooltip(explanation(technique));
+    const bool chosen = ImGui::RadioButton(display_name(technique), experiment.shadow.technique == technique);
+    technique_item(ui, technique, chosen, experiment);
   }
+}
+
+void technique_menu(UiContext& ui, Experiment& experiment) {
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const bool open = ImGui::BeginCombo("##technique", display_name(experiment.shadow.technique));
+  note_place(ui, "shadow.technique");
+  if (!open) return;
+  for (Technique technique : offered) {
+    const bool chosen = ImGui::Selectable(display_name(technique), experiment.shadow.technique == technique);
+    technique_item(ui, technique, chosen, experiment);
+  }
+  ImGui::EndCombo();
 }
 
 /// Which technique drew the picture, in one line that is always there, so that nothing below it jumps.
@@ -155,15 +183,18 @@ void control_fields(UiContext& ui, LightControls& light, Experiment& experiment)
   if (group_header(ui, "view", false)) group_of_fields(ui, "view", experiment);
 }
 
-float control_header_height() {
+float control_header_height(float pane_width) {
   const ImGuiStyle& style = ImGui::GetStyle();
-  return (1 + technique_rows) * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() +
-         style.WindowPadding.y;
+  const int rows = has_room_for_buttons(pane_width - 2.0f * style.WindowPadding.x) ? technique_rows : 1;
+  return float(1 + rows) * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() + style.WindowPadding.y;
 }
 
 void control_header(UiContext& ui, Experiment& experiment, Requests& requests) {
   scene_selector(ui, requests);
-  technique_selector(ui, experiment);
+  if (has_room_for_buttons(ImGui::GetContentRegionAvail().x))
+    technique_buttons(ui, experiment);
+  else
+    technique_menu(ui, experiment);
   used_line(ui);
 }
 

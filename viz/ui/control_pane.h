@@ -29,6 +29,6 @@ const char* display_name(Technique technique);
 
 /// The selectors above the fields; drawn after the analysis, because it says which technique was used.
 void control_header(UiContext& ui, Experiment& experiment, Requests& requests);
-float control_header_height();
+float control_header_height(float pane_width);
 
 }  // namespace psm

@@ -129,8 +129,8 @@ void dial_legend(const UiContext& ui, const Experiment& e) {
     ImGui::TextUnformatted(text);
   };
   const Bearing b = bearing_of(e.light.to_light);
-  ImGui::Text("azimuth %.1f°", glm::degrees(b.azimuth));
-  ImGui::Text("height %.1f°", glm::degrees(b.elevation));
+  ImGui::Text("az. %.1f°", glm::degrees(b.azimuth));
+  ImGui::Text("alt. %.1f°", glm::degrees(b.elevation));
   entry(Role::infinity, "w = 0");
   entry(Role::frustum, "θ = φ");
 }
@@ -143,7 +143,7 @@ std::vector<Tick> theta_ticks(const Experiment& e) {
 }
 
 bool light_dial(UiContext& ui, Experiment& e) {
-  const float size = std::floor(std::min(7.0f * ImGui::GetFontSize(), 0.6f * full_width()));
+  const float size = std::floor(std::min(7.0f * ImGui::GetFontSize(), 0.55f * full_width()));
   if (size < 16.0f) return false;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const Dial dial{{corner.x + 0.5f * size, corner.y + 0.5f * size}, 0.5f * size - float(4.0 * ui.scale)};
@@ -165,6 +165,7 @@ bool light_dial(UiContext& ui, Experiment& e) {
   ImGui::BeginGroup();
   dial_legend(ui, e);
   ImGui::EndGroup();
+  note_place(ui, "dial.legend");
   return changed;
 }
 

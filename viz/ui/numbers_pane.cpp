@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/theme.h"
@@ -41,7 +42,9 @@ void draw_notes(const UiContext& ui, const std::vector<Note>& notes) {
   if (notes.empty()) ImGui::TextDisabled("none");
   for (const Note& note : notes) {
     ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextColored({tone.r, tone.g, tone.b, 1.0f}, "▶ %s", note.code.c_str());
+    std::string code = note.code;
+    std::replace(code.begin(), code.end(), '_', ' ');  // so that it breaks between words
+    ImGui::TextColored({tone.r, tone.g, tone.b, 1.0f}, "▶ %s", code.c_str());
     ImGui::TextUnformatted(note_text(note).c_str());
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
@@ -89,12 +92,16 @@ std::vector<Note> all_notes(const Scene& scene, const Analysis& analysis) {
   return notes;
 }
 
-void numbers_pane(UiContext& ui) {
+void numbers_pane(UiContext& ui, bool show_notes) {
   const auto notes = all_notes(ui.model.scene(), ui.model.analysis());
-  if (ImGui::CollapsingHeader("numbers", ImGuiTreeNodeFlags_DefaultOpen)) draw_lines(number_lines(ui.model.analysis()));
+  const bool numbers_open = ImGui::CollapsingHeader("numbers", ImGuiTreeNodeFlags_DefaultOpen);
   note_place(ui, "numbers");
-  if (ImGui::CollapsingHeader("notes", ImGuiTreeNodeFlags_DefaultOpen)) draw_notes(ui, notes);
+  if (numbers_open) draw_lines(number_lines(ui.model.analysis()));
+  if (show_notes) ImGui::SetNextItemOpen(true);
+  const bool notes_open = ImGui::CollapsingHeader("notes", ImGuiTreeNodeFlags_DefaultOpen);
+  if (show_notes) ImGui::SetScrollHereY(0.0f);
   note_place(ui, "notes");
+  if (notes_open) draw_notes(ui, notes);
 }
 
 }  // namespace psm

@@ -23,6 +23,7 @@ std::string note_text(const Note& note);
 /// Notes of the scene's file and of the analysis.
 std::vector<Note> all_notes(const Scene& scene, const Analysis& analysis);
 
-void numbers_pane(UiContext& ui);
+/// `show_notes`: scrolls to the notes.
+void numbers_pane(UiContext& ui, bool show_notes);
 
 }  // namespace psm

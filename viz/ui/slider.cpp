@@ -85,23 +85,34 @@ void draw_ticks(const Track& track, const SliderRange& range, std::span<const Ti
   }
 }
 
-void draw_slider(ImGuiID id, const Track& track, const SliderRange& range, double value, const std::string& text, bool hovered) {
-  ImGuiContext& g = *GImGui;
-  const bool active = g.ActiveId == id;
-  const ImGuiStyle& style = g.Style;
+/// Where the number stands: in the middle, or at an end where the grab or a labelled mark would cross it.
+float text_left(const Track& track, const SliderRange& range, double value, std::span<const Tick> ticks, float width) {
+  const float pad = ImGui::GetStyle().FramePadding.x, half = 0.5f * track.grab;
+  const auto crosses = [&](double what, float left) {
+    const float x = float(track.x(slider_place(range, what)));
+    return x + half + 0.5f * pad > left && x - half - 0.5f * pad < left + width;
+  };
+  const float middle = track.frame.GetCenter().x - 0.5f * width;
+  const float places[] = {middle, track.frame.Max.x - pad - width, track.frame.Min.x + pad};
+  for (float left : places) {
+    bool free = !crosses(value, left);
+    for (const Tick& tick : ticks) free = free && (tick.label.empty() || !crosses(tick.value, left));
+    if (free) return left;
+  }
+  return slider_place(range, value) > 0.5 ? places[2] : places[1];
+}
+
+void draw_slider(ImGuiID id, const Track& track, const SliderRange& range, double value, std::span<const Tick> ticks,
+                 const std::string& text, bool hovered) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const bool hot = GImGui->ActiveId == id || hovered;
   ImGui::RenderNavHighlight(track.frame, id);
-  ImGui::RenderFrame(track.frame.Min, track.frame.Max,
-                     ImGui::GetColorU32(active || hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), true,
+  ImGui::RenderFrame(track.frame.Min, track.frame.Max, ImGui::GetColorU32(hot ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), true,
                      style.FrameRounding);
   const float x = float(track.x(slider_place(range, value))), half = 0.5f * track.grab;
-  const ImRect grab({x - half, track.frame.Min.y + 2.0f}, {x + half, track.frame.Max.y - 2.0f});
-  ImGui::GetWindowDrawList()->AddRectFilled(grab.Min, grab.Max, ImGui::GetColorU32(ImGuiCol_SliderGrab), style.GrabRounding);
-  // The number keeps clear of the grab: on the wider side of it.
-  const float width = ImGui::CalcTextSize(text.c_str()).x, pad = style.FramePadding.x;
-  const float middle = track.frame.GetCenter().x - 0.5f * width;
-  const bool covered = grab.Max.x + pad > middle && grab.Min.x - pad < middle + width;
-  float left = middle;
-  if (covered) left = x > track.frame.GetCenter().x ? track.frame.Min.x + pad : track.frame.Max.x - pad - width;
+  ImGui::GetWindowDrawList()->AddRectFilled({x - half, track.frame.Min.y + 2.0f}, {x + half, track.frame.Max.y - 2.0f},
+                                            ImGui::GetColorU32(ImGuiCol_SliderGrab), style.GrabRounding);
+  const float left = text_left(track, range, value, ticks, ImGui::CalcTextSize(text.c_str()).x);
   ImGui::RenderTextClipped({left, track.frame.Min.y}, track.frame.Max, text.c_str(), nullptr, nullptr, {0.0f, 0.5f});
 }
 
@@ -154,7 +165,7 @@ bool ticked_slider(const char* label, double& value, const SliderRange& range, s
   if (g.ActiveId == id)
     value = g.ActiveIdSource == ImGuiInputSource_Mouse ? drag(track, range, value, ticks) : step_by_keys(id, range, value);
   if (value != before) ImGui::MarkItemEdited(id);
-  draw_slider(id, track, range, value, text, hovered);
+  draw_slider(id, track, range, value, ticks, text, hovered);
   draw_ticks(track, range, ticks, theme);
   return value != before;
 }

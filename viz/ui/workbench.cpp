@@ -27,7 +27,7 @@ void begin_child(const char* name, const Rect& rect, ImGuiWindowFlags flags = 0)
 
 /// The pane's two parts: selectors above, everything else scrolls.
 Rect header_rect(const Rect& pane) {
-  return {pane.min, {pane.max.x, std::min(pane.max.y, pane.min.y + int(std::ceil(control_header_height())))}};
+  return {pane.min, {pane.max.x, std::min(pane.max.y, pane.min.y + int(std::ceil(control_header_height(float(pane.size().x)))))}};
 }
 Rect fields_rect(const Rect& pane) { return {{pane.min.x, header_rect(pane).max.y}, pane.max}; }
 
@@ -153,14 +153,17 @@ void Workbench::pane_header(Frame& f) {
 void Workbench::pane_numbers(Frame& f) {
   if (f.layout.pane.empty()) return;
   begin_child("fields", fields_rect(f.layout.pane));
-  numbers_pane(f.ui);
+  numbers_pane(f.ui, std::exchange(show_notes_, false));
   ImGui::EndChild();
 }
 
 void Workbench::badge_line(Frame& f) {
   begin_child("badges", f.layout.badges, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  badge_bar(f.ui, badges(model_, views_ms_, message_, settings_.theme), f.layout.badges);
+  const std::string clicked = badge_bar(f.ui, badges(model_, views_ms_, message_, settings_.theme), f.layout.badges);
   ImGui::EndChild();
+  if (clicked != "badge.notes" && clicked != "badge.worse") return;
+  show_notes_ = settings_.layout.pane_shown = true;
+  wake();
 }
 
 void Workbench::dialogs(Frame& f) {

@@ -111,7 +111,7 @@ class Workbench {
   double next_wake_ = std::numeric_limits<double>::infinity();
   double views_ms_ = 0.0;
   std::uint64_t frames_ = 0, views_drawn_ = 0;
-  bool wants_screen_ = false, wants_quit_ = false;
+  bool wants_screen_ = false, wants_quit_ = false, show_notes_ = false;
 };
 
 }  // namespace psm
