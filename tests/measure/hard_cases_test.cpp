@@ -36,8 +36,8 @@ const std::vector<Evaluated>& runs() {
 
 std::string shown(const CaseAnswer& a) {
   char text[120];
-  std::snprintf(text, sizeof text, "%.20Lg, %.3g texels, refused: ", a.value, a.texels);
-  return text + (a.refused.empty() ? "no" : a.refused);
+  std::snprintf(text, sizeof text, "%.20Lg, %.3g texels, named: ", a.value, a.texels);
+  return text + (a.named.empty() ? "no" : a.named);
 }
 
 std::string shown(const Evaluated& r) {
@@ -58,7 +58,7 @@ TEST(HardCases, EachIsSaidOnceAndWhole) {
   for (const Evaluated& r : runs()) {
     EXPECT_FALSE(r.row.name.empty() || r.row.computed.empty()) << shown(r);
     EXPECT_TRUE(seen.insert(std::to_string(r.row.number) + r.row.name + r.row.computed).second) << shown(r);
-    EXPECT_EQ(r.row.demand == Demand::refused, !r.row.reason.empty()) << shown(r);
+    EXPECT_EQ(r.row.demand == Demand::said || r.row.demand == Demand::refused, !r.row.reason.empty()) << shown(r);
   }
 }
 
@@ -67,7 +67,7 @@ TEST(HardCases, DoubleMeetsTheExactAnswer) {
   int met = 0;
   for (const Evaluated& r : runs()) {
     if (r.row.form != Form::ours) continue;
-    EXPECT_TRUE(meets(r.row, r.in_double, r.row.double_bound)) << shown(r);
+    EXPECT_NE(meets(r.row, r.in_double, r.row.double_bound), r.row.known_limit) << shown(r);
     ++met;
   }
   EXPECT_GT(met, 43);
@@ -85,7 +85,7 @@ TEST(HardCases, FloatHoldsOrFailsAsTheTableSays) {
 TEST(HardCases, NoMapOfPsmlabShowsAWrongShadow) {
   int maps = 0;
   for (const Evaluated& r : runs()) {
-    if (r.row.form != Form::ours || std::isnan(r.in_double.texels)) continue;
+    if (r.row.form != Form::ours || r.row.known_limit || std::isnan(r.in_double.texels)) continue;
     ++maps;
     EXPECT_LE(r.in_double.texels, 0.02) << shown(r);
     if (!r.row.known_to_fail && r.row.in_float) {
@@ -99,11 +99,19 @@ TEST(HardCases, NoMapOfPsmlabShowsAWrongShadow) {
 TEST(HardCases, NothingOfOursIsNotANumber) {
   for (const Evaluated& r : runs()) {
     if (r.row.form != Form::ours) continue;
-    EXPECT_FALSE(std::isnan(r.in_double.value) && r.in_double.refused.empty()) << shown(r);
+    EXPECT_FALSE(std::isnan(r.in_double.value) && r.in_double.named.empty()) << shown(r);
     if (r.row.in_float) {
-      EXPECT_FALSE(std::isnan(r.in_float.value) && r.in_float.refused.empty()) << shown(r);
+      EXPECT_FALSE(std::isnan(r.in_float.value) && r.in_float.named.empty()) << shown(r);
     }
   }
+}
+
+// What psmlab fails at in every arithmetic is said by name in the table, and is no more than this.
+TEST(HardCases, OnlyOneLimitIsKnown) {
+  std::vector<std::string> limits;
+  for (const Evaluated& r : runs())
+    if (judge(r.row, r.in_float, r.in_double) == Verdict::known_limit) limits.push_back(r.row.name);
+  EXPECT_THAT(limits, ::testing::ElementsAre("light through the view direction by 1e-7"));
 }
 
 // DESIGN, conventions: one narrowing of the composed matrix. Two matrices in a row by way of clip space lose w where n << f.
@@ -147,7 +155,7 @@ TEST(HardCases, ExactAnswersAreThePublishedOnes) {
 
 // ---- demands and verdicts ---------------------------------------------------------------------------------------------
 
-CaseAnswer gives(long double value, double texels = 0) { return {value, texels, 0, ""}; }
+CaseAnswer gives(long double value, double texels = 0) { return {value, texels, ""}; }
 
 TEST(Meets, EveryDemandCanFail) {
   HardCase row;
@@ -166,11 +174,11 @@ TEST(Meets, EveryDemandCanFail) {
   EXPECT_FALSE(meets(row, gives(2), 1));
   row.demand = Demand::above;
   EXPECT_FALSE(meets(row, gives(1), 1));
-  EXPECT_FALSE(meets(row, {2, 0, 0, "some_reason"}, 1));  // no answer, where one is due
+  EXPECT_FALSE(meets(row, {2, 0, "some_reason"}, 1));  // no answer, where one is due
   row.demand = Demand::refused;
   row.reason = "some_reason";
-  EXPECT_TRUE(meets(row, {0, 0, 0, "some_reason"}, 0));
-  EXPECT_FALSE(meets(row, {0, 0, 0, "another_reason"}, 0));
+  EXPECT_TRUE(meets(row, {0, 0, "some_reason"}, 0));
+  EXPECT_FALSE(meets(row, {0, 0, "another_reason"}, 0));
   EXPECT_FALSE(meets(row, gives(1), 0));
 }
 
@@ -182,6 +190,8 @@ TEST(Judge, DoubleThatFailsIsBrokenUnlessTheFormIsNaive) {
   EXPECT_EQ(judge(row, gives(1), gives(1)), Verdict::holds);
   EXPECT_EQ(judge(row, gives(2), gives(1)), Verdict::float_fails);
   EXPECT_EQ(judge(row, gives(1), gives(2)), Verdict::broken);
+  row.known_limit = true;
+  EXPECT_EQ(judge(row, gives(1), gives(2)), Verdict::known_limit);
   row.form = Form::naive;
   EXPECT_EQ(judge(row, gives(1), gives(2)), Verdict::naive_fails);
   EXPECT_EQ(judge(row, gives(2), gives(1)), Verdict::naive_fails);

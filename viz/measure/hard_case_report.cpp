@@ -40,27 +40,30 @@ std::string digits(long double x, int significant) {
   return text;
 }
 
-std::string answer_text(const CaseAnswer& a, int significant) {
-  return a.refused.empty() ? digits(a.value, significant) : "refused";
+std::string answer_text(const HardCase& row, const CaseAnswer& a, int significant) {
+  if (a.named.empty()) return digits(a.value, significant);
+  return row.demand == Demand::said ? "said" : "refused";
 }
 
 std::string exact_text(const HardCase& row) {
+  if (row.demand == Demand::said) return "said";
   if (row.demand == Demand::refused) return "refused";
   return std::isnan(row.exact) ? "-" : digits(row.exact, row.closed_form ? 20 : 18);
 }
 
-/// What must hold of the double, and of the float where that is less.
+/// What must hold of the double, and in brackets of the float where less will do.
 std::string demand_text(const HardCase& row) {
-  const std::string bound = digits(row.double_bound, 3);
+  std::string bound = digits(row.double_bound, 2);
+  if (row.in_float && row.float_bound != row.double_bound) bound += " (" + digits(row.float_bound, 2) + ")";
   switch (row.demand) {
     case Demand::equals:
-      return row.exact == 0 ? "0 +- " + bound : "exact +- " + bound + " of it";
+      return std::string(row.exact == 0 ? "exact" : "relative") + " +- " + bound;
     case Demand::texels:
-      return "within " + bound + " texels";
+      return "texels <= " + bound;
     case Demand::at_most:
-      return "at most " + bound;
+      return "<= " + bound;
     case Demand::above:
-      return "above " + bound;
+      return "> " + bound;
     default:
       return row.reason;
   }
@@ -74,20 +77,19 @@ std::string time_text(double seconds) {
 std::string texels_text(double texels) { return std::isnan(texels) ? "-" : digits(texels, 2); }
 
 /// Without a float path there is no answer to show.
-std::string float_text(const MeasuredCase& c) { return c.row.in_float ? answer_text(c.in_float, 9) : "-"; }
+std::string float_text(const MeasuredCase& c) { return c.row.in_float ? answer_text(c.row, c.in_float, 9) : "-"; }
 
-/// Error on the map: NaN also where a map is involved and a coordinate is not a number.
 struct Texels {
   double in_float, two_stages, in_double;
 };
-Texels texels_of(const MeasuredCase& c) { return {c.in_float.texels, c.in_float.two_stage_texels, c.in_double.texels}; }
+Texels texels_of(const MeasuredCase& c) { return {c.in_float.texels, c.two_stages.texels, c.in_double.texels}; }
 
 constexpr int kColumns = 13;
 using Line = std::array<std::string, kColumns>;
 
 Line headings() {
-  return {"",           "case",   "computed", "float",       "double", "exact", "demand (double)", "texels: float",
-          "2 matrices", "double", "verdict",  "time: float", "double"};
+  return {"no.",           "case",       "computed", "float",   "double",      "exact", "must be: double (float)",
+          "texels: float", "2 matrices", "double",   "verdict", "time: float", "double"};
 }
 
 Line line_of(const MeasuredCase& c) {
@@ -96,7 +98,7 @@ Line line_of(const MeasuredCase& c) {
           c.row.name,
           c.row.computed,
           float_text(c),
-          answer_text(c.in_double, 17),
+          answer_text(c.row, c.in_double, 17),
           exact_text(c.row),
           demand_text(c.row),
           texels_text(t.in_float),
@@ -152,8 +154,8 @@ std::string json_answer(const char* name, const Compute& compute, const CaseAnsw
   std::string text = std::string("\"") + name + "\": ";
   if (!compute) return text + "null";
   text += "{\"value\": " + json_number(double(a.value));
-  text += ", \"refused\": " + (a.refused.empty() ? "null" : quoted_json(a.refused));
-  text += ", \"texels\": " + json_number(a.texels) + ", \"two_stage_texels\": " + json_number(a.two_stage_texels);
+  text += ", \"named\": " + (a.named.empty() ? "null" : quoted_json(a.named));
+  text += ", \"texels\": " + json_number(a.texels);
   return text + ", \"seconds\": " + json_number(seconds) + "}";
 }
 
@@ -163,6 +165,7 @@ std::string json_row(const MeasuredCase& c) {
   text += std::string(", \"form\": ") + (c.row.form == Form::ours ? "\"ours\"" : "\"naive\"");
   text += ", " + json_answer("float", c.row.in_float, c.in_float, c.float_seconds);
   text += ", " + json_answer("double", c.row.in_double, c.in_double, c.double_seconds);
+  text += ", \"two_stage_texels\": " + json_number(c.two_stages.texels);
   text += ", \"exact\": " + json_number(double(c.row.exact)) + ", \"closed_form\": " + (c.row.closed_form ? "true" : "false");
   text += ", \"demand\": " + quoted_json(demand_text(c.row)) + ", \"verdict\": " + quoted_json(name_of(c.verdict));
   return text + "}";
@@ -178,6 +181,7 @@ std::vector<MeasuredCase> measure_hard_cases() {
       c.in_float = row.in_float();
       c.float_seconds = median_seconds(row.in_float);
     }
+    if (row.two_stages) c.two_stages = row.two_stages();
     c.in_double = row.in_double();
     c.double_seconds = median_seconds(row.in_double);
     c.verdict = judge(row, c.in_float, c.in_double);
@@ -189,7 +193,7 @@ std::vector<MeasuredCase> measure_hard_cases() {
 
 std::string hard_cases_text(const std::vector<MeasuredCase>& cases, const Machine& machine) {
   std::vector<Line> lines{headings()};
-  std::array<int, 5> count{};
+  std::array<int, 6> count{};
   for (const MeasuredCase& c : cases) {
     lines.push_back(line_of(c));
     ++count[int(c.verdict)];
@@ -209,7 +213,7 @@ std::string hard_cases_csv(const std::vector<MeasuredCase>& cases, const Machine
       "float_seconds,double_seconds,cpu,compiler\n";
   for (const MeasuredCase& c : cases) {
     const Texels t = texels_of(c);
-    const auto value = [](const CaseAnswer& a) { return a.refused.empty() ? csv_number(double(a.value)) : a.refused; };
+    const auto value = [](const CaseAnswer& a) { return a.named.empty() ? csv_number(double(a.value)) : a.named; };
     text += std::to_string(c.row.number) + "," + quoted_csv(c.row.name) + "," + quoted_csv(c.row.computed) + ",";
     text += std::string(c.row.form == Form::ours ? "ours" : "naive") + "," + (c.row.in_float ? value(c.in_float) : "") + ",";
     text += value(c.in_double) + "," + csv_number(double(c.row.exact)) + "," + (c.row.closed_form ? "1" : "0") + ",";

@@ -11,7 +11,7 @@ namespace psm {
 
 struct MeasuredCase {
   HardCase row;
-  CaseAnswer in_float, in_double;
+  CaseAnswer in_float, in_double, two_stages;
   double float_seconds = 0, double_seconds = 0;  // one evaluation: the median of several batches; float 0 where there is none
   Verdict verdict = Verdict::holds;
 };

@@ -13,15 +13,17 @@ std::vector<HardCase> hard_cases() {
   add_float_cases(rows);
   add_warp_cases(rows);
   add_projection_cases(rows);
+  add_convention_cases(rows);
   add_scene_cases(rows);
+  add_caster_cases(rows);
   std::vector<HardCase> table = rows.take();
   std::stable_sort(table.begin(), table.end(), [](const HardCase& a, const HardCase& b) { return a.number < b.number; });
   return table;
 }
 
 bool meets(const HardCase& row, const CaseAnswer& answer, double bound) {
-  if (row.demand == Demand::refused) return answer.refused == row.reason;
-  if (!answer.refused.empty()) return false;
+  if (row.demand == Demand::said || row.demand == Demand::refused) return answer.named == row.reason;
+  if (!answer.named.empty()) return false;
   const long double value = answer.value, exact = row.exact;
   switch (row.demand) {
     case Demand::equals:
@@ -37,7 +39,7 @@ bool meets(const HardCase& row, const CaseAnswer& answer, double bound) {
 }
 
 const char* name_of(Verdict v) {
-  constexpr const char* names[] = {"holds", "float fails", "refused by name", "naive form fails", "BROKEN"};
+  constexpr const char* names[] = {"holds", "float fails", "refused by name", "naive form fails", "known limit", "BROKEN"};
   return names[int(v)];
 }
 
@@ -45,7 +47,7 @@ Verdict judge(const HardCase& row, const CaseAnswer& in_float, const CaseAnswer&
   const bool float_meets = !row.in_float || meets(row, in_float, row.float_bound);
   const bool double_meets = meets(row, in_double, row.double_bound);
   if (row.form == Form::naive) return float_meets && double_meets ? Verdict::holds : Verdict::naive_fails;
-  if (!double_meets) return Verdict::broken;
+  if (!double_meets) return row.known_limit ? Verdict::known_limit : Verdict::broken;
   if (!float_meets) return Verdict::float_fails;
   return row.demand == Demand::refused ? Verdict::refused : Verdict::holds;
 }

@@ -10,13 +10,12 @@
 
 namespace psm {
 
-/// What one arithmetic gives. A value that is not a number is an answer too; `refused` is the name of the reason where the
-/// program declines to give one.
+/// What one arithmetic gives. A value that is not a number is an answer too; `named` is the name of the reason where the program
+/// gives none, or of what it says about it.
 struct CaseAnswer {
   long double value = std::numeric_limits<long double>::quiet_NaN();
-  double texels = std::numeric_limits<double>::quiet_NaN();            // error on a map of 1,024; NaN: no map is involved
-  double two_stage_texels = std::numeric_limits<double>::quiet_NaN();  // the same with two matrices for each vertex
-  std::string refused;
+  double texels = std::numeric_limits<double>::quiet_NaN();  // error on a map of 1,024; NaN: no map is involved
+  std::string named;
 };
 
 enum class Demand {
@@ -24,7 +23,8 @@ enum class Demand {
   texels,   // the error in texels at most the bound
   at_most,  // the value at most the bound
   above,    // the value greater than the bound
-  refused   // by the name in HardCase::reason
+  said,     // the name in HardCase::reason stands in what the program tells the user
+  refused   // the same, and there is no answer
 };
 
 /// What psmlab does, or what others do and psmlab does not; then the row exists to show the difference.
@@ -40,12 +40,14 @@ struct HardCase {
   Demand demand = Demand::equals;
   double double_bound = 0;  // what double must meet
   double float_bound = 0;   // what the use of the number needs; float is held to that
-  std::string reason;       // refused
+  std::string reason;       // said, refused
   /// The exact answer: a closed form, or where `closed_form` is false the same function in extended arithmetic; NaN: neither.
   long double exact = std::numeric_limits<long double>::quiet_NaN();
   bool closed_form = false;
   bool known_to_fail = false;   // ours: in float; naive: in float, in double or in both
+  bool known_limit = false;     // ours, and it fails in every arithmetic: a limit of what psmlab does
   Compute in_float, in_double;  // in_float empty: the program has no float path here
+  Compute two_stages;           // maps: in float with two matrices for each vertex, for comparison; else empty
 };
 
 /// All of them, ordered by number.
@@ -54,10 +56,10 @@ std::vector<HardCase> hard_cases();
 /// Whether the answer meets the demand; `bound` is the one of the arithmetic that gave it.
 bool meets(const HardCase& row, const CaseAnswer& answer, double bound);
 
-enum class Verdict { holds, float_fails, refused, naive_fails, broken };
+enum class Verdict { holds, float_fails, refused, naive_fails, known_limit, broken };
 const char* name_of(Verdict);
 
-/// `broken`: double fails where psmlab must not.
+/// `broken`: double fails where psmlab must not, and nobody has said so.
 Verdict judge(const HardCase& row, const CaseAnswer& in_float, const CaseAnswer& in_double);
 
 }  // namespace psm

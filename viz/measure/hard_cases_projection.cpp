@@ -1,38 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cases 13 to 20, 33, 34, 36 and 38: lights before and after the eye's projection, and the maps that follow. The camera stands at
+// Cases 13 to 20: lights before and after the eye's projection, and the maps that follow. The camera stands at
 // (0, 1.7, 0), looks along -z, n = 1, f = 100, 60 degrees, square; the receivers fill its frustum.
 #include <cmath>
 
 #include "math/light_case.h"
 #include "math/psm_variants.h"
 #include "math/texel_footprint.h"
-#include "measure/hard_case_rows.h"
+#include "measure/hard_case_maps.h"
 
 namespace psm {
 namespace {
-
-// Double follows extended within this many texels wherever w runs over less than four orders of magnitude.
-constexpr double kDoubleTexels = 1e-9;
-// Float keeps a map that moves with its light within this many texels; anything larger flickers.
-constexpr double kFlicker = 0.1;
-
-MapScene lit_by(const glm::dvec4& light) {
-  MapScene s;
-  s.light = light;
-  return frustum_scene(s);
-}
-
-auto map_builder(const MapScene& s, MapTechnique technique) {
-  return [s, technique](auto t) { return map_from_world<decltype(t)>(s, technique); };
-}
-
-/// By how many texels the map of `b` differs from that of `a`, on the receivers of `a`.
-template <class T>
-CaseAnswer jump(const MapScene& a, const MapScene& b, MapTechnique ta = MapTechnique::psm, MapTechnique tb = MapTechnique::psm) {
-  const double d =
-      texel_distance(map_points<T>(map_builder(a, ta), a, a.receivers), map_points<T>(map_builder(b, tb), b, a.receivers));
-  return answer(d, d);
-}
 
 template <class T>
 int post_sign(const MapScene& s) {
@@ -119,14 +96,13 @@ void add_lights_on_the_view_axis(Rows& rows) {
                  for (int i = 0; i < 16; ++i) bad += !std::isfinite(map[i / 4][i % 4]);
                  return bad;
                });
-  rows.refuses(15, "light parallel to the view, up = (0,0,1)", "what the recipe says", "recipe_up_degenerate", [=](auto t) {
+  rows.says(15, "light parallel to the view, up = (0,0,1)", "what the recipe says", "recipe_up_degenerate", [=](auto t) {
     using T = decltype(t);
-    return recipe_map(clip_from_world<T>(along), unit_light<T>(along)).degenerate_up ? refused("recipe_up_degenerate")
-                                                                                     : answer(0);
+    return recipe_map(clip_from_world<T>(along), unit_light<T>(along)).degenerate_up ? named("recipe_up_degenerate") : answer(0);
   });
   Rows::naive(rows.at_most(15, "the same by lookAt as libraries have it", "entries that are not finite", 0, 0, [](auto t) {
     using T = decltype(t);
-    const auto view = glm::lookAtRH(Vec3<T>(0, 0, 4), Vec3<T>(0), Vec3<T>(0, 0, 1));
+    const auto view = glm::lookAtRH(Vec3<T>(0, 0, given(T(4))), Vec3<T>(0), Vec3<T>(0, 0, 1));
     int bad = 0;
     for (int i = 0; i < 16; ++i) bad += !std::isfinite(view[i / 4][i % 4]);
     return bad;
@@ -186,123 +162,10 @@ void add_aim(Rows& rows) {
   rows.map(16, "vanishing point (0.5, 0), aimed again", "u, PSM", s, 1e-6, map_builder(s, MapTechnique::psm));
   rows.equals(17, "f = infinity", "z / w of a directional light: the far face", 1, 0, [](auto t) {
     using T = decltype(t);
-    const Vec4<T> L = perspective(T(1), T(1), T(1), std::numeric_limits<T>::infinity()) * Vec4<T>(T(0.3), T(0.4), T(-0.7), T(0));
+    const Vec4<T> L =
+        perspective(T(1), T(1), T(1), given(std::numeric_limits<T>::infinity())) * Vec4<T>(T(0.3), T(0.4), given(T(-0.7)), T(0));
     return L.z / L.w;
   });
-}
-
-void add_depth_conventions(Rows& rows) {
-  const MapScene s = lit_by({0.1, 1, -0.4, 0}), opposite = lit_by({-0.1, -1, 0.4, 0});
-  rows.at_most(33, "l -> -l", "|u|, v less those of l, texels", kDoubleTexels, kVisibleTexels, [=](auto t) {
-    using T = decltype(t);
-    auto a = map_points<T>(map_builder(s, MapTechnique::psm), s, s.receivers),
-         b = map_points<T>(map_builder(opposite, MapTechnique::psm), opposite, s.receivers);
-    for (auto& p : b) p.x = -p.x;  // the map is seen from its other side
-    const double d = texel_distance(a, b);
-    return answer(d, d);
-  });
-  rows.at_most(33, "l -> -l", "product of the depth steps along a ray: order flipped", -1e-9, -1e-9, [=](auto t) {
-    using T = decltype(t);
-    const glm::dvec3 x = s.receivers.back();
-    const std::vector<glm::dvec3> ray{x, x + glm::dvec3(s.light)};
-    const auto a = map_points<T>(map_builder(s, MapTechnique::psm), s, ray),
-               b = map_points<T>(map_builder(opposite, MapTechnique::psm), opposite, ray);
-    return (a[1].z - a[0].z) * (b[1].z - b[0].z);
-  });
-  // z' = (z + w) / 2 and its reverse, and the clip matrix undone to the symmetric cube before the aim is taken.
-  const auto depth_row = [](auto t, int convention) {
-    using T = decltype(t);
-    Mat4<T> m(1);
-    if (convention == 0) m[2][2] = T(0.5), m[3][2] = T(0.5);   // D3D: 0 near, 1 far
-    if (convention == 1) m[2][2] = T(-0.5), m[3][2] = T(0.5);  // reversed: 1 near, 0 far
-    return m;
-  };
-  for (const int convention : {0, 1}) {
-    const char* name = convention == 0 ? "D3D depth" : "reversed depth";
-    rows.equals(34, name, "z / w of the infinity plane", convention == 0 ? Extended(100) / 99 : Extended(-1) / 99, 1e-13,
-                [=](auto t) {
-                  using T = decltype(t);
-                  const Vec4<T> L = depth_row(t, convention) * clip_from_world<T>(s) * unit_light<T>(s);
-                  return L.z / L.w;
-                });
-    // The map of the GL cube is what both must match.
-    const auto of_cube = [=](auto t, bool symmetric) {
-      using T = decltype(t);
-      const Mat4<T> depth = depth_row(t, convention);
-      const Mat4<T> clip = (symmetric ? glm::inverse(depth) : Mat4<T>(1)) * depth * clip_from_world<T>(s);
-      const auto receivers = points_in<T>(s.receivers);
-      return fit_map<T>(frame_of<T>(s), psm_plane<T>(clip, unit_light<T>(s), receivers).plane, receivers, receivers)
-          .map_from_world;
-    };
-    const auto exact =
-        std::make_shared<std::vector<Vec3<Extended>>>(map_points<Extended>(map_builder(s, MapTechnique::psm), s, s.receivers));
-    rows.map_against(34, name, "u, PSM in the symmetric cube", s, kDoubleTexels, exact, [=](auto t) { return of_cube(t, true); });
-    Rows::naive(rows.map_against(34, name, "u, looking at the origin of that cube: another plane", s, kDoubleTexels, exact,
-                                 [=](auto t) { return of_cube(t, false); }));
-  }
-}
-
-/// The largest move of the map while the light turns through +Y (or -Y) by 1e-7.
-template <class T>
-CaseAnswer jump_at_pole(double y) {
-  CaseAnswer worst = answer(0, 0);
-  for (const glm::dvec2 side : {glm::dvec2(1e-7, 0), glm::dvec2(0, 1e-7), glm::dvec2(1e-7, 1e-7)}) {
-    const CaseAnswer j = jump<T>(lit_by({side.x, y, side.y, 0}), lit_by({-side.x, y, -side.y, 0}));
-    if (!(j.texels <= worst.texels)) worst = j;
-  }
-  return worst;
-}
-
-void add_bases(Rows& rows) {
-  rows.at_most(36, "light through +Y", "jump of the map, texels, PSM", 2e-2, kFlicker,
-               [](auto t) { return jump_at_pole<decltype(t)>(1); });
-  rows.at_most(36, "light through -Y", "jump of the map, texels, PSM", 2e-2, kFlicker,
-               [](auto t) { return jump_at_pole<decltype(t)>(-1); });
-  Rows::naive(rows.at_most(36, "light through +Y, up = +Y fixed", "turn of the light's x axis, degrees", 1, 1, [](auto t) {
-    using T = decltype(t);
-    const auto x_axis = [](T x) { return row(glm::lookAtRH(Vec3<T>(x, 1, 0), Vec3<T>(0), Vec3<T>(0, 1, 0)), 0); };
-    const Vec3<T> a(x_axis(T(1e-7))), b(x_axis(T(-1e-7)));
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * T(kDegrees);
-  }));
-}
-
-/// Some unit vectors whose dot product with themselves rounds to more than 1, among 1,000.
-template <class T>
-std::vector<Vec3<T>> unit_vectors() {
-  std::vector<Vec3<T>> v;
-  for (int i = 0; i < 1000; ++i)
-    v.push_back(glm::normalize(Vec3<T>(T(i % 10) - T(4.3), T(i / 10 % 10) - T(5.1), T(i / 100) + T(0.7))));
-  return v;
-}
-
-void add_angles(Rows& rows) {
-  rows.equals(38, "|dot| > 1 by rounding", "angles between a unit vector and itself that are no number", 0, 0, [](auto t) {
-    int bad = 0;
-    for (const auto& v : unit_vectors<decltype(t)>()) bad += std::isnan(line_angle(v, v));
-    return bad;
-  });
-  Rows::naive(rows.equals(38, "|dot| > 1 by rounding", "the same by acos, of 1,000", 0, 0, [](auto t) {
-    int bad = 0;
-    for (const auto& v : unit_vectors<decltype(t)>()) bad += std::isnan(std::acos(glm::dot(v, v)));
-    return bad;
-  }));
-  const auto vectors = [](auto t) {
-    using T = decltype(t);
-    const Extended a = Extended(0.01L) / 57.295779513082320876798154814105170L;
-    const Vec3<T> v(0, T(0.6), T(-0.8)), l(T(std::sin(a)), T(0.6L * std::cos(a)), T(-0.8L * std::cos(a)));
-    return std::pair(v, l);
-  };
-  // The vectors' own roundings turn them by 1e-16 rad, of 1.7e-4.
-  rows.equals(38, "theta = 0.01 deg", "theta by atan2, degrees", Extended(0.01L), 1e-11,
-              [=](auto t) {
-                const auto [v, l] = vectors(t);
-                return line_angle(v, l) * decltype(t)(57.295779513082320876798154814105170L);
-              })
-      .float_bound = 1e-2;
-  Rows::naive(rows.equals(38, "theta = 0.01 deg", "theta by acos, degrees", Extended(0.01L), 1e-11, [=](auto t) {
-    const auto [v, l] = vectors(t);
-    return std::acos(std::min(glm::dot(v, l), decltype(t)(1))) * decltype(t)(57.295779513082320876798154814105170L);
-  }));
 }
 
 }  // namespace
@@ -312,9 +175,6 @@ void add_projection_cases(Rows& rows) {
   add_points_near_the_camera_plane(rows);
   add_lights_on_the_view_axis(rows);
   add_aim(rows);
-  add_depth_conventions(rows);
-  add_bases(rows);
-  add_angles(rows);
 }
 
 }  // namespace psm
