@@ -14,6 +14,9 @@
 
 namespace psm {
 
+/// A body that holds every caster of these small scenes.
+inline ConvexBody everything() { return box_body(glm::dvec3(-1e30), glm::dvec3(1e30)); }
+
 class GlTest : public testing::TestWithParam<GlProfile> {
  protected:
   void SetUp() override {

@@ -21,6 +21,7 @@ class Shadows : public GlTest {
     analysis.experiment.light.type = LightType::directional;
     analysis.experiment.shadow.resolution = resolution;
     analysis.map_from_world = map_from_above(2.0, 2.0, -1.0);
+    analysis.depth_body = everything();
     return analysis;
   }
 
@@ -45,6 +46,18 @@ TEST_P(Shadows, depth_is_the_analytic_one) {
   EXPECT_NEAR(depth[32 * 64 + 32], 1.0 / 3.0, 1e-6);
   EXPECT_NEAR(depth[32 * 64 + 24], 1.0 / 3.0, 1e-6);
   EXPECT_NEAR(depth[32 * 64 + 23], 2.0 / 3.0, 1e-6);
+}
+
+TEST_P(Shadows, casters_outside_the_depth_body_are_left_out) {
+  renderer_->set_scene(floor_and_plate());
+  Analysis analysis = lit_from_above(8);
+  analysis.depth_body = box_body({-2, -0.1, -2}, {2, 0.9, 2});  // the floor, but not the plate
+  renderer_->draw_shadow_map(analysis);
+  const std::vector<float> without_plate = renderer_->read_map_depth();
+  EXPECT_NEAR(without_plate[4 * 8 + 4], without_plate[0], 1e-6);
+  analysis.depth_body = {};  // nothing is visible
+  renderer_->draw_shadow_map(analysis);
+  EXPECT_EQ(renderer_->read_map_depth()[0], 1.0f);
 }
 
 TEST_P(Shadows, rows_of_depth_go_upwards) {

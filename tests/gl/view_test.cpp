@@ -102,6 +102,7 @@ TEST_P(Views, the_map_shows_near_light_far_dark_and_what_is_empty) {
   Analysis analysis;
   analysis.experiment.shadow.resolution = 64;
   analysis.map_from_world = map_from_above(2.0, 2.0, -1.0);
+  analysis.depth_body = everything();
   ViewPicture picture;
   picture.id = ViewId::map;
   picture.scene = ScenePicture::map_depth;

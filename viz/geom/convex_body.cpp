@@ -76,4 +76,14 @@ ConvexBody clip(const ConvexBody& body, std::span<const Plane> planes) {
   return polytope.to_body();
 }
 
+bool misses(const ConvexBody& body, const glm::dvec3& min, const glm::dvec3& max) {
+  return std::any_of(body.planes.begin(), body.planes.end(), [&](const Plane& p) {
+    const glm::dvec3 farthest = glm::mix(min, max, glm::greaterThan(glm::dvec3(p), glm::dvec3(0.0)));
+    const glm::dvec4 terms = p * glm::dvec4(farthest, 1.0);
+    const double rounding =
+        8 * 2.220446049250313e-16 * (std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z) + std::abs(terms.w));
+    return terms.x + terms.y + terms.z + terms.w < -rounding;
+  });
+}
+
 }  // namespace psm

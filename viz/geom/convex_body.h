@@ -48,6 +48,9 @@ ConvexBody box_body(const glm::dvec3& min, const glm::dvec3& max);
 /// body ∩ { p.x >= 0 for all p }. The body must come from one of these functions.
 ConvexBody clip(const ConvexBody& body, std::span<const Plane> planes);
 
+/// Whether the box lies wholly outside one of the body's planes: then the two do not meet. (The reverse may fail.)
+bool misses(const ConvexBody& body, const glm::dvec3& min, const glm::dvec3& max);
+
 /// The half-spaces of hull(body + light) for a homogeneous light (w = 1 or 0): the planes with p.l >= 0, and for each edge
 /// between a kept p_i and a dropped p_j the plane (p_i.l) p_j - (p_j.l) p_i. Exact for flat bodies too (Fourier-Motzkin: every
 /// pair of planes stands in for the edges). A body that contains the light is its own hull.

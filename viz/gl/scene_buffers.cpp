@@ -21,7 +21,11 @@ using IndexList = std::vector<std::uint32_t>;
 /// Meshes of one material become one draw call.
 struct Assembly {
   std::vector<Vertex> vertices;
-  std::map<std::pair<Primitive, int>, IndexList> indices;
+  struct List {
+    IndexList indices;
+    std::vector<Part> parts;
+  };
+  std::map<std::pair<Primitive, int>, List> lists;
 };
 
 /// (0, 1, 0) for what has no direction: it is lit like the ground.
@@ -39,6 +43,12 @@ Vertex vertex_of(const Mesh& mesh, std::uint32_t i, const glm::dvec3& origin, do
   return v;
 }
 
+Bounds bounds_of(const Mesh& mesh) {
+  Bounds bounds;
+  for (const glm::dvec3& p : mesh.positions) bounds.add(p);
+  return bounds;
+}
+
 void append_indices(IndexList& to, const IndexList& from, std::uint32_t base) {
   to.reserve(to.size() + from.size());
   for (const std::uint32_t i : from) to.push_back(base + i);
@@ -46,7 +56,7 @@ void append_indices(IndexList& to, const IndexList& from, std::uint32_t base) {
 
 /// Triangles without normals get their own corners, with the normal of the face.
 void append_flat_triangles(Assembly& all, const Mesh& mesh, const glm::dvec3& origin, double unit) {
-  IndexList& list = all.indices[{Primitive::triangles, mesh.material}];
+  IndexList& list = all.lists[{Primitive::triangles, mesh.material}].indices;
   for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
     const std::uint32_t* corner = &mesh.triangles[t];
     const glm::dvec3 a = mesh.positions[corner[0]], b = mesh.positions[corner[1]], c = mesh.positions[corner[2]];
@@ -64,13 +74,16 @@ void append_mesh(Assembly& all, const Mesh& mesh, const glm::dvec3& origin, doub
   const std::uint32_t base = std::uint32_t(all.vertices.size());
   if (!flat || !mesh.lines.empty() || !mesh.points.empty()) {
     for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) all.vertices.push_back(vertex_of(mesh, i, origin, unit));
-    append_indices(all.indices[{Primitive::lines, mesh.material}], mesh.lines, base);
-    append_indices(all.indices[{Primitive::points, mesh.material}], mesh.points, base);
+    append_indices(all.lists[{Primitive::lines, mesh.material}].indices, mesh.lines, base);
+    append_indices(all.lists[{Primitive::points, mesh.material}].indices, mesh.points, base);
   }
+  Assembly::List& triangles = all.lists[{Primitive::triangles, mesh.material}];
+  const std::size_t first = triangles.indices.size();
   if (flat)
     append_flat_triangles(all, mesh, origin, unit);
   else
-    append_indices(all.indices[{Primitive::triangles, mesh.material}], mesh.triangles, base);
+    append_indices(triangles.indices, mesh.triangles, base);
+  triangles.parts.push_back({first, GLsizei(triangles.indices.size() - first), bounds_of(mesh)});
 }
 
 GLint wrap_mode(Wrap wrap) {
@@ -173,10 +186,11 @@ void SceneBuffers::upload(const Scene& scene) {
 
   batches_.clear();
   IndexList indices;
-  for (const auto& [key, list] : all.indices) {
-    if (list.empty()) continue;
-    batches_.push_back({key.first, key.second, indices.size(), GLsizei(list.size())});
-    indices.insert(indices.end(), list.begin(), list.end());
+  for (auto& [key, list] : all.lists) {
+    if (list.indices.empty()) continue;
+    for (Part& part : list.parts) part.first += indices.size();
+    batches_.push_back({key.first, key.second, indices.size(), GLsizei(list.indices.size()), std::move(list.parts)});
+    indices.insert(indices.end(), list.indices.begin(), list.indices.end());
   }
   glBindVertexArray(array_.get());
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
@@ -198,9 +212,28 @@ void SceneBuffers::bind_material(const Batch& batch, Program& program) const {
   glBindTexture(GL_TEXTURE_2D, textured ? textures_[std::size_t(m.texture)].get() : 0);
 }
 
-void SceneBuffers::draw(const Batch& batch) const {
-  glDrawElements(mode_of(batch.primitive), batch.count, GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(batch.first * sizeof(std::uint32_t)));
+void SceneBuffers::draw_range(Primitive primitive, std::size_t first, GLsizei count) const {
+  glDrawElements(mode_of(primitive), count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+}
+
+void SceneBuffers::draw(const Batch& batch) const { draw_range(batch.primitive, batch.first, batch.count); }
+
+std::size_t SceneBuffers::draw_inside(const Batch& batch, const ConvexBody& body) const {
+  std::size_t drawn = 0, first = 0;
+  GLsizei count = 0;
+  const auto flush = [&] {
+    if (count > 0) draw_range(batch.primitive, first, count);
+    drawn += std::size_t(count) / 3;
+    count = 0;
+  };
+  for (const Part& part : batch.parts) {
+    if (body.empty() || misses(body, part.bounds.min, part.bounds.max)) continue;
+    if (first + std::size_t(count) != part.first) flush();
+    if (count == 0) first = part.first;
+    count += part.count;
+  }
+  flush();
+  return drawn;
 }
 
 }  // namespace psm::gl

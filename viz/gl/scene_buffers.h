@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "geom/convex_body.h"
 #include "gl/gl_objects.h"
 #include "scene/scene.h"
 
@@ -13,12 +14,20 @@ namespace psm::gl {
 
 enum class Primitive { triangles, lines, points };
 
+/// One mesh's share of a batch.
+struct Part {
+  std::size_t first = 0;  // in indices
+  GLsizei count = 0;
+  Bounds bounds;  // world space
+};
+
 /// All indices of one material and primitive.
 struct Batch {
   Primitive primitive = Primitive::triangles;
   int material = 0;
   std::size_t first = 0;  // in indices
   GLsizei count = 0;
+  std::vector<Part> parts;
 };
 
 class SceneBuffers {
@@ -35,8 +44,11 @@ class SceneBuffers {
   /// Sets the material's uniforms of the program in use, and its texture on unit 0.
   void bind_material(const Batch& batch, Program& program) const;
   void draw(const Batch& batch) const;
+  /// Only the parts that reach into the body. Returns how many triangles that were.
+  std::size_t draw_inside(const Batch& batch, const ConvexBody& body) const;
 
  private:
+  void draw_range(Primitive primitive, std::size_t first, GLsizei count) const;
   void set_frame(const Bounds& bounds);
 
   glm::dmat4 world_from_local_{1.0}, local_from_world_{1.0};

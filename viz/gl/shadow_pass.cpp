@@ -64,6 +64,7 @@ void ShadowPass::draw(const SceneBuffers& scene, const Analysis& analysis) {
   allocate(analysis.experiment.shadow.resolution, std::max(1, int(maps.size())));
   used_range_.reset();
   maps_from_local_.clear();
+  triangles_drawn_ = 0;
 
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glViewport(0, 0, resolution_, resolution_);
@@ -81,11 +82,11 @@ void ShadowPass::draw(const SceneBuffers& scene, const Analysis& analysis) {
     // A matrix that cannot be drawn keeps its place with w = 0 everywhere: nothing lies inside it.
     const glm::mat4 map = narrow(maps[std::size_t(layer)] * scene.world_from_local()).value_or(glm::mat4(0.0f));
     maps_from_local_.push_back(map);
-    draw_layer(scene, map);
+    draw_layer(scene, map, analysis.depth_body);
   }
 }
 
-void ShadowPass::draw_layer(const SceneBuffers& scene, const glm::mat4& map_from_local) {
+void ShadowPass::draw_layer(const SceneBuffers& scene, const glm::mat4& map_from_local, const ConvexBody& casters) {
   program_.use();
   program_.set("u_map_from_local", map_from_local);
   program_.set("u_texture", 0);
@@ -93,7 +94,7 @@ void ShadowPass::draw_layer(const SceneBuffers& scene, const glm::mat4& map_from
   for (const Batch& batch : scene.batches()) {
     if (batch.primitive != Primitive::triangles) continue;
     scene.bind_material(batch, program_);
-    scene.draw(batch);
+    triangles_drawn_ += scene.draw_inside(batch, casters);
   }
 }
 
