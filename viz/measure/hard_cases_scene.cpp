@@ -4,15 +4,13 @@
 
 #include "math/psm_variants.h"
 #include "math/texel_footprint.h"
-#include "measure/hard_case_rows.h"
+#include "measure/hard_case_maps.h"
 #include "scene/analysis.h"
 
 namespace psm {
 namespace {
 
 using glm::dvec3, glm::dvec4;
-
-constexpr double kDoubleTexels = 1e-9;
 
 /// A scene that is nothing but its box.
 Scene box_scene(dvec3 min, dvec3 max) {
