@@ -22,6 +22,16 @@ std::optional<double> model_value(const Analysis& a, double ModelError::*member)
   return a.model_error ? std::optional<double>((*a.model_error).*member) : std::nullopt;
 }
 
+std::string decisions_text(const ConvexBody& b) {
+  return std::to_string(b.vertices.size()) + " vertices, " + std::to_string(b.facets.size()) + " facets.";
+}
+
+/// "0 of 83": of the signs that made the body, those that needed exact arithmetic or what planes are known to share.
+std::string exact_count(const ConvexBody& b) {
+  const int beyond = b.decisions.exact + b.decisions.shared;
+  return std::to_string(beyond) + " of " + std::to_string(beyond + b.decisions.filtered);
+}
+
 void draw_lines(const std::vector<NumberLine>& lines) {
   if (!ImGui::BeginTable("numbers", 2, ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.0f);
@@ -70,6 +80,12 @@ std::vector<NumberLine> number_lines(const Analysis& a) {
        "Largest error across times largest error along: texels needed per pixel."},
       {"w", shown_number(a.light_case.w, 5), "v·l or v·(l − e): its sign decides the light case."},
       {"κ", shown_number(a.light_case.kappa, 5), "The light's w after P V, by the length of its x, y, z."},
+      {"volume of H", shown_number(a.caster_body.volume(), 5),
+       "All casters: hull(V + l) ∩ S ∩ L. " + decisions_text(a.caster_body)},
+      {"volume of R", shown_number(a.receivers_body.volume(), 5),
+       "All receivers: V ∩ S ∩ L. " + decisions_text(a.receivers_body)},
+      {"H decided exactly", exact_count(a.caster_body),
+       "Signs that doubles with an error bound could not decide, of all signs that made H."},
       {"camera shift", shown_number(a.camera_shift, 5), "How far the virtual camera stands back."},
   };
 }

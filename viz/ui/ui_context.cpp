@@ -14,9 +14,14 @@ void note_place(UiContext& ui, const std::string& name) {
   ui.places[name] = {{int(min.x), int(min.y)}, {int(max.x), int(max.y)}};
 }
 
+bool rested_on(const char* name) {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  return g.HoveredId == ImGui::GetID(name) && !ImGui::IsAnyItemActive() && g.HoveredIdTimer >= kTooltipDelay;
+}
+
 void rest_tooltip(const std::string& text) {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
-  if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive() || g.HoveredIdTimer < 0.4f) return;
+  if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive() || g.HoveredIdTimer < kTooltipDelay) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
   ImGui::TextUnformatted(text.c_str());

@@ -25,8 +25,13 @@ struct UiContext {
 /// Notes the place of the widget that was submitted last.
 void note_place(UiContext& ui, const std::string& name);
 
-/// A tooltip for the widget that was submitted last, once the mouse has rested on it for 0.4 s.
+constexpr float kTooltipDelay = 0.4f;  // seconds
+
+/// A tooltip for the widget that was submitted last, once the mouse has rested on it.
 void rest_tooltip(const std::string& text);
+
+/// Whether the mouse has rested on the widget of this name, in the current window, for as long as a tooltip takes.
+bool rested_on(const char* name);
 
 /// A short number: at most `digits` significant ones; "∞" for infinity.
 std::string shown_number(double value, int digits = 4);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/facet_pick.h"
 #include "ui/navigation.h"
 #include "ui/theme.h"
 
@@ -125,6 +126,18 @@ void draw_handles(const UiContext& ui, const Rect& picture, const ViewImages& im
   }
 }
 
+/// The facet of H or R under the mouse, once it has rested: its outline, and the planes that made it.
+void draw_facet(const UiContext& ui, ViewId id, const Rect& picture, const ViewImages& images) {
+  const auto facet = pick_facet(images.picture(id), images.analysis(), picture.size(), mouse_in(picture).pixel);
+  if (!facet) return;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  std::vector<ImVec2> outline;
+  for (const glm::dvec2& p : facet->outline) outline.push_back({float(picture.min.x + p.x), float(picture.min.y + p.y)});
+  list->AddPolyline(outline.data(), int(outline.size()), line_color(facet->body, ui.theme), ImDrawFlags_Closed,
+                    float(3.0 * ui.scale));
+  ImGui::SetTooltip("%s", facet->text.c_str());
+}
+
 }  // namespace
 
 std::string tile_input(UiContext& ui, ViewId id, const Rect& picture, const ViewImages& images, ViewDrag& drag,
@@ -154,6 +167,8 @@ void draw_tile(UiContext& ui, ViewId id, const Rect& picture, const ViewImages& 
   // The texture's first row is the bottom one.
   list->AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(images.texture(id))), corner, end, {0, 1}, {1, 0});
   if (id == ViewId::world) draw_handles(ui, picture, images, drag);
+  const bool solid = id == ViewId::world || id == ViewId::cube;
+  if (solid && drag.kind == ViewDrag::Kind::none && rested_on(name_of(id))) draw_facet(ui, id, picture, images);
   list->PopClipRect();
 }
 

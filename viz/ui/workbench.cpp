@@ -15,7 +15,6 @@ namespace psm {
 namespace {
 
 constexpr int smallest_view = 8;  // pixels; below, nothing can be seen
-constexpr double tooltip_delay = 0.4;
 
 ImVec2 vec(glm::ivec2 v) { return {float(v.x), float(v.y)}; }
 
@@ -197,8 +196,8 @@ void Workbench::end_frame(Frame& f) {
   if (f.changed || requests_.open || requests_.action || dialogs_.settling()) wake();
   next_wake_ = std::numeric_limits<double>::infinity();
   const ImGuiContext& g = *ImGui::GetCurrentContext();
-  if (g.HoveredId != 0 && g.ActiveId == 0 && g.HoveredIdTimer < tooltip_delay)
-    next_wake_ = tooltip_delay - g.HoveredIdTimer + 0.01;
+  if (g.HoveredId != 0 && g.ActiveId == 0 && g.HoveredIdTimer < double(kTooltipDelay))
+    next_wake_ = double(kTooltipDelay) - g.HoveredIdTimer + 0.01;
   settings_ = clamped(settings_);
   if (settings_ == saved_settings_ || ImGui::IsAnyMouseDown()) return;
   write_settings(settings_, options_.settings);
