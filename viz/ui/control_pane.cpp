@@ -14,9 +14,9 @@ namespace psm {
 namespace {
 
 // Short names at the left, long ones at the right.
-constexpr std::array offered = {Technique::uniform, Technique::psm,   Technique::lispsm,  Technique::lispsm_reference,
-                                Technique::glpr,    Technique::gmnpr, Technique::minimax, Technique::minimax_frustum,
-                                Technique::custom};
+constexpr std::array offered = {Technique::uniform,     Technique::psm,        Technique::lispsm,  Technique::lispsm_reference,
+                                Technique::glpr,        Technique::gmnpr,      Technique::minimax, Technique::minimax_frustum,
+                                Technique::psm_divided, Technique::psm_recipe, Technique::custom};
 constexpr int technique_rows = int(offered.size() + 1) / 2;
 
 const char* explanation(Technique technique) {
@@ -37,6 +37,12 @@ const char* explanation(Technique technique) {
       return "minimax: the least maximum of F on the frustum's central line.";
     case Technique::minimax_frustum:
       return "minimax_frustum: the least maximum of E over the whole frustum.";
+    case Technique::psm_divided:
+      return "psm_divided: PSM with the light divided by its w and the depth test reversed where w < 0, after the camera shift "
+             "(2002 paper).";
+    case Technique::psm_recipe:
+      return "psm_recipe: look at the cube's centre, opening angle around the cube (the paper's web page); its failures are "
+             "noted.";
     default:
       return "custom: the vanishing plane that shadow.plane gives.";
   }
@@ -58,6 +64,12 @@ void scene_selector(UiContext& ui, Requests& requests) {
   for (const std::string& id : builtin_scene_ids()) {
     if (ImGui::Selectable(id.c_str(), id == current)) requests.open = id;
     note_place(ui, "scene.source=" + id);
+  }
+  ImGui::Separator();
+  for (const std::filesystem::path& file : ui.experiments) {
+    const std::string title = file.stem().stem().string();  // without .psm.json
+    if (ImGui::Selectable(title.c_str())) requests.open = file.string();
+    note_place(ui, "scene.source=" + title);
   }
   ImGui::Separator();
   if (ImGui::Selectable("Open a file…")) requests.action = Action::open;

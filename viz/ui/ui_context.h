@@ -2,8 +2,10 @@
 // What every widget of a frame may look at.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "ui/layout.h"
 #include "ui/model.h"
@@ -20,6 +22,7 @@ struct UiContext {
   Theme theme;
   double scale;  // pixels per pixel at scale 1
   Places& places;
+  const std::vector<std::filesystem::path>& experiments;  // that come with the program
 };
 
 /// Notes the place of the widget that was submitted last.

@@ -30,6 +30,14 @@ Rect header_rect(const Rect& pane) {
 }
 Rect fields_rect(const Rect& pane) { return {{pane.min.x, header_rect(pane).max.y}, pane.max}; }
 
+std::vector<std::filesystem::path> shipped_experiments(const std::filesystem::path& assets) {
+  std::vector<std::filesystem::path> files;
+  std::error_code none;  // an installation without them has none to offer
+  for (const auto& entry : std::filesystem::directory_iterator(assets / "experiments", none)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 }  // namespace
 
 struct Workbench::Frame {
@@ -57,7 +65,8 @@ Workbench::Workbench(LoadedExperiment loaded, WorkbenchOptions options)
       saved_settings_(settings_),
       model_(std::move(loaded)),
       renderer_(options_.assets, options_.font),
-      images_(renderer_) {}
+      images_(renderer_),
+      experiments_(shipped_experiments(options_.assets)) {}
 
 Workbench::~Workbench() = default;
 
@@ -79,7 +88,8 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   const double scale = look(display_scale).scale;
   const int splitter = std::max(2, int(std::lround(6.0 * scale)));
   const Layout layout = lay_out(size, settings_.layout, model_.experiment().view.maximised, badge_bar_height(size.x), splitter);
-  Frame f{size, scale, ImGui::GetTime(), layout, {model_, settings_.theme, scale, places_}, model_.experiment(), "", false};
+  Frame f{size, scale, ImGui::GetTime(), layout, {model_, settings_.theme, scale, places_, experiments_}, model_.experiment(),
+          "",   false};
 
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(vec(size));

@@ -99,6 +99,7 @@ class Workbench {
   Model model_;
   Renderer renderer_;
   ViewImages images_;
+  std::vector<std::filesystem::path> experiments_;
   FittedOrbits fitted_;
   ViewDrag drag_;
   LightControls light_;
