@@ -205,6 +205,24 @@ TEST(CubeView, RaysOfAnInvertedLightConvergeOnIt) {
   EXPECT_GE(arriving, 3);
 }
 
+// PSM 2002, Figure 7: after the shift the cube is the shifted frustum, H lies in front of the eye, and V inside the cube.
+TEST(CubeView, ShowsTheShiftedSpace) {
+  Experiment x;
+  x.camera = {{0, 1.5, 0}, {0, 1.5, -1}, {0, 1, 0}, 60, 0.5, 20};
+  x.light.to_light = {0.1, 0.4, 1};
+  x.shadow.technique = Technique::psm_divided;
+  const Analysis a = analyze(x, kRoom);
+  ASSERT_GT(a.camera_shift, 0.0);
+  for (const glm::dvec3& p : a.caster_body.vertices) EXPECT_GT((a.cube_from_world * glm::dvec4(p, 1)).w, 0.0);
+  for (const glm::dvec4& p : a.frustum_corners) {
+    const glm::dvec4 q = a.cube_from_world * p;
+    for (int i = 0; i < 3; ++i) EXPECT_LE(std::abs(q[i] / q.w), 1.0 + 1e-12);
+  }
+  const ViewPicture picture = describe_view(ViewId::cube, a, kRoom, {800, 600});
+  EXPECT_NE(picture.title.find("moved back"), std::string::npos);
+  EXPECT_EQ(picture.cube_from_world, a.cube_from_world);
+}
+
 TEST(CubeView, LightIsNamedByItsCase) {
   Experiment e = experiment_with(LightType::point);
   e.light.position = {0, 3, 0};

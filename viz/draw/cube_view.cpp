@@ -18,9 +18,10 @@ constexpr int light_rays = 4;
 
 Limits cube_limits(double clear) { return {{glm::dvec3(-clear), glm::dvec3(clear)}, {glm::dvec3(-limit), glm::dvec3(limit)}}; }
 
-/// Depth of the plane to which P sends the plane at infinity: (f + n) / (f - n), and 1 for f = infinity.
-double infinity_depth(const CameraSettings& camera) {
-  return std::isinf(camera.far) ? 1.0 : (camera.far + camera.near) / (camera.far - camera.near);
+/// Depth of the plane to which P sends the plane at infinity: (f + n) / (f - n), and 1 for f = infinity. A shift grows f.
+double infinity_depth(const CameraSettings& camera, double shift) {
+  const double far = camera.far + shift;
+  return std::isinf(far) ? 1.0 : (far + camera.near) / (far - camera.near);
 }
 
 class CubeView {
@@ -29,11 +30,12 @@ class CubeView {
       : analysis_(analysis),
         view_(view_camera(ViewId::cube, analysis, aspect)),
         sketch_(cube_limits(clear_limit)),
-        light_(analysis.clip_from_world() * analysis.light) {}
+        light_(analysis.cube_from_world * analysis.light) {}
 
   ViewPicture picture() {
     bodies();
     cube();
+    if (shifted()) own_frustum();
     axes();
     view_rays();
     infinity_plane();
@@ -41,9 +43,9 @@ class CubeView {
     light();
     ViewPicture picture;
     picture.id = ViewId::cube;
-    picture.title = "Unit cube";
+    picture.title = shifted() ? "Unit cube, eye moved back by " + short_number(analysis_.camera_shift) : "Unit cube";
     picture.scene = ScenePicture::projective;
-    picture.cube_from_world = analysis_.clip_from_world();
+    picture.cube_from_world = analysis_.cube_from_world;
     picture.cube_limit = limit;
     picture.clip_from_list = view_.clip_from_space;
     picture.clip_from_world = view_.clip_from_space * picture.cube_from_world;
@@ -57,7 +59,7 @@ class CubeView {
   }
 
   void bodies() {
-    const glm::dmat4 cube_from_world = analysis_.clip_from_world();
+    const glm::dmat4 cube_from_world = analysis_.cube_from_world;
     const ConvexBody &h = analysis_.caster_body, &r = analysis_.receivers_body;
     Sketch bodies(cube_limits(body_limit));
     if (!h.empty()) {
@@ -74,8 +76,7 @@ class CubeView {
   void body_label(const ConvexBody& body, const glm::dvec2& direction, const char* text, Role role, int priority) {
     std::vector<glm::dvec3> shown;
     for (const auto& [i, j] : body_edges(body)) {
-      const glm::dvec4 p = analysis_.clip_from_world() * at(body.vertices[i]),
-                       q = analysis_.clip_from_world() * at(body.vertices[j]);
+      const glm::dvec4 p = analysis_.cube_from_world * at(body.vertices[i]), q = analysis_.cube_from_world * at(body.vertices[j]);
       for (const Piece& piece : split_segment(p, q, cube_limits(body_limit).inner)) shown.insert(shown.end(), {piece.a, piece.b});
     }
     if (!shown.empty()) sketch_.label(view_.furthest(shown, direction), text, role, priority);
@@ -86,6 +87,19 @@ class CubeView {
     for (const auto& [i, j] : box_edges()) sketch_.line(corners[i], corners[j], {Role::frustum, i < 4 && j < 4 ? 2.5 : 2.0});
     sketch_.label({0.0, -1.0, -1.0}, "near", Role::frustum, 8);
     sketch_.label(view_.furthest({corners[6], corners[7]}, {1.0, 1.0}), "far", Role::frustum, 8);
+  }
+
+  bool shifted() const { return analysis_.camera_shift > 0.0; }
+
+  /// The camera's own frustum, which the shifted one holds (PSM 2002, Figure 7).
+  void own_frustum() {
+    std::vector<glm::dvec3> corners;
+    for (const glm::dvec4& corner : analysis_.frustum_corners) {
+      const glm::dvec4 q = analysis_.cube_from_world * corner;
+      corners.push_back(glm::dvec3(q) / q.w);
+    }
+    for (const auto& [i, j] : box_edges()) sketch_.line(corners[i], corners[j], {Role::frustum, 1.75, LineStyle::dashed});
+    sketch_.label(view_.furthest(corners, {-0.4, 1.0}), "V'", Role::frustum, 7);
   }
 
   /// Beside the near face's lower corner, where they are in nothing's way.
@@ -109,7 +123,7 @@ class CubeView {
   }
 
   void infinity_plane() {
-    const double z = infinity_depth(analysis_.experiment.camera);
+    const double z = infinity_depth(analysis_.experiment.camera, analysis_.camera_shift);
     if (!(z < body_limit)) return;
     const std::vector<glm::dvec3> corners{
         {-patch_half, -patch_half, z}, {patch_half, -patch_half, z}, {patch_half, patch_half, z}, {-patch_half, patch_half, z}};
@@ -127,7 +141,7 @@ class CubeView {
   void light_rays_in_cube() {
     bool named = false;
     for (const glm::dvec3& target : ray_targets(lit_body(), analysis_.light, light_rays)) {
-      const glm::dvec4 end = analysis_.clip_from_world() * at(target);
+      const glm::dvec4 end = analysis_.cube_from_world * at(target);
       for (const Piece& piece : split_segment(light_, end, sketch_.limits().outer)) {
         const Pen pen{Role::light, 1.75};
         if (!piece.cut_b) {
@@ -155,7 +169,11 @@ class CubeView {
   }
 
   void light() {
-    const PostLight post = analysis_.light_case.post;
+    // A position gains depth by the shift; a direction keeps its case.
+    const PostLight post = !shifted()       ? analysis_.light_case.post
+                           : light_.w > 0.0 ? PostLight::point
+                           : light_.w < 0.0 ? PostLight::inverted_point
+                                            : PostLight::directional;
     const glm::dvec3 p = glm::dvec3(light_) / light_.w;
     if (post == PostLight::directional || !std::isfinite(p.x + p.y + p.z)) return direction_label();
     const std::string name = post == PostLight::point ? "l' (point)" : "l' (inverted point)";

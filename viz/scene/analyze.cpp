@@ -23,6 +23,7 @@ void set_camera(Stages& s, Analysis& a) {
   s.view_planes = frustum_planes(s.view, c.near, c.far);
   a.view_from_world = s.view.view_from_world();
   a.clip_from_view = perspective(s.view.tan_x, s.view.tan_y, c.near, c.far);
+  a.cube_from_world = a.clip_from_world();
   const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   for (int i = 0; i < 4; ++i) {
     a.frustum_corners[i] = dvec4(s.view.at(corner[i][0], corner[i][1], c.near), 1);
@@ -176,6 +177,14 @@ void fit_six_maps(Stages& s, Analysis& a, const ConvexBody& receivers) {
        "The light stands among its receivers: no single map exists, six are drawn from a near distance.", near);
 }
 
+/// The post-perspective space that the shifted eye sees (PSM 2002, Figure 7); the camera's own where nothing is shifted.
+void set_cube(const Stages& s, Analysis& a) {
+  const CameraSettings& c = s.x.camera;
+  ViewFrame eye = s.view;
+  eye.eye -= a.camera_shift * eye.forward;
+  a.cube_from_world = perspective(eye.tan_x, eye.tan_y, c.near, c.far + a.camera_shift) * eye.view_from_world();
+}
+
 void compare_with_uniform(const Stages& s, Analysis& a) {
   if (!a.map_from_world || a.technique_used == Technique::uniform) return;
   const std::vector<SurfacePoint> points = sample_scene_box(s.view, a);
@@ -216,6 +225,7 @@ Analysis analyze(const Experiment& experiment, const Scene& scene) {
   }
   a.depth_body = clip(s.lit_scene, hull_with_light(receivers, s.light));
   fit_single_map(s, a, receivers);
+  set_cube(s, a);
   compare_with_uniform(s, a);
   return a;
 }
