@@ -44,7 +44,7 @@ VariantMap<T> divided_map(const LightFrame<T>& frame, const Vec4<T>& plane, cons
                           std::span<const Vec3<T>> receivers, std::span<const Vec3<T>> depths) {
   VariantMap<T> out;
   const Vec4<T> L = clip_from_world * frame.light;
-  const MapFit<T> one_rule = fit_map(frame, plane, receivers, receivers);
+  const MapFit<T> one_rule = fit_map(frame, plane, receivers, receivers, true);
   out.map_from_world = one_rule.map_from_world;
   out.reversed_depth = L.w < T(0);
   const Vec4<T> c = row(one_rule.map_from_world, 3), w = row(clip_from_world, 3);

@@ -146,15 +146,17 @@ struct MapFit {
 };
 
 /// Window (off-centre) around the receivers, depth range around the casters: x' = s a + t c, z' = s e + t c. `plane` must be
-/// positive on the receivers. A caster vertex with c at most near_c = min(1/1000 of the largest, half the smallest c on the
-/// receivers) is the light itself, or as good as it; depth then starts there.
+/// positive on the receivers. A light among the casters (`light_inside`) is a vertex of theirs, where c = 0: depth then starts at
+/// c = near_c, a thousandth of the receivers' largest. A light outside holds all casters, unless it comes so close that a depth
+/// buffer of 24 bits would have nothing left for the receivers: near_c is then a millionth. It is never more than half the
+/// receivers' smallest c.
 template <class T>
-MapFit<T> fit_map(const LightFrame<T>& frame, Vec4<T> plane, std::span<const Vec3<T>> receivers,
-                  std::span<const Vec3<T>> casters) {
+MapFit<T> fit_map(const LightFrame<T>& frame, Vec4<T> plane, std::span<const Vec3<T>> receivers, std::span<const Vec3<T>> casters,
+                  bool light_inside = false) {
   MapFit<T> fit;
   plane /= value_range(plane, receivers).max;
   const Range<T> c_receivers = value_range(plane, receivers);
-  fit.near_c = std::min(T(1e-3), c_receivers.min / T(2));
+  fit.near_c = std::min(light_inside ? T(1e-3) : T(1e-6), c_receivers.min / T(2));
 
   Range<T> depth = ratio_range(frame.e, plane, receivers);
   for (const Vec3<T>& x : casters) {

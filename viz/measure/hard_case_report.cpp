@@ -148,7 +148,7 @@ std::string json_number(double x) {
   return std::isinf(x) ? (x > 0 ? "\"inf\"" : "\"-inf\"") : number_text(x);
 }
 
-std::string csv_number(double x) { return std::isnan(x) ? "nan" : number_text(x); }
+std::string csv_number(double x) { return std::isnan(x) ? "" : number_text(x); }
 
 std::string json_answer(const char* name, const Compute& compute, const CaseAnswer& a, double seconds) {
   std::string text = std::string("\"") + name + "\": ";

@@ -30,7 +30,7 @@ struct Stages {
   double near = 1, far = 2;   // depth range that the technique uses
   LightFrame<double> frame = {};
   glm::dvec4 uniform{0};
-  bool light_in_receivers = false;
+  bool light_in_scene = false, light_in_receivers = false;  // a position inside S, inside R
 };
 
 /// The vanishing plane that the experiment's technique chooses; sets technique_used and everything the technique has to say.

@@ -86,12 +86,14 @@ void set_bodies(Stages& s, Analysis& a) {
   Bounds b = s.scene.bounds;
   if (b.empty()) b.min = b.max = s.view.at(0, 0, s.x.camera.near);
   a.scene_body = box_body(b.min, b.max);
-  s.lit_scene = clip(a.scene_body, spot_planes(s, a));
+  const std::vector<Plane> light_planes = spot_planes(s, a);
+  s.lit_scene = clip(a.scene_body, light_planes);
   a.receivers_body = clip(s.lit_scene, s.view_planes);
   a.light_case.inside_frustum = s.light.w != 0 && contains(s.view_planes, s.light);
   a.caster_body = clip(s.lit_scene, frustum_hull_with_light(s.view, s.x.camera.near, s.x.camera.far, s.light));
   const bool in_scene = s.light.w != 0 && contains(a.scene_body.planes, s.light);
-  s.light_in_receivers = in_scene && a.light_case.inside_frustum && s.x.light.type == LightType::point;
+  s.light_in_scene = in_scene;
+  s.light_in_receivers = in_scene && a.light_case.inside_frustum && contains(light_planes, s.light);
   a.light_case.inside_receivers = s.light_in_receivers;
 }
 
@@ -150,7 +152,7 @@ void fit_single_map(Stages& s, Analysis& a, const ConvexBody& receivers) {
   }
   dvec4 plane = a.receivers_body.empty() ? s.uniform : technique_plane(s, a, points);
   require_positive(plane, s, a, points);
-  const auto fit = fit_map<double>(s.frame, plane, points, a.depth_body.vertices);
+  const auto fit = fit_map<double>(s.frame, plane, points, a.depth_body.vertices, s.light_in_scene);
   a.map_from_world = fit.map_from_world;
   a.vanishing_plane = row(fit.map_from_world, 3);
   if (fit.padded_window) note(a, "window_padded", "The receivers have no extent across the light: the window is padded.");
@@ -187,15 +189,17 @@ void set_cube(const Stages& s, Analysis& a) {
 
 void compare_with_uniform(const Stages& s, Analysis& a) {
   if (!a.map_from_world || a.technique_used == Technique::uniform) return;
-  const std::vector<SurfacePoint> points = sample_scene_box(s.view, a);
+  const std::vector<SurfacePoint> points = sample_receivers(s.view, a);
   if (points.empty()) return;
-  const auto uniform = fit_map<double>(s.frame, s.uniform, a.receivers_body.vertices, a.depth_body.vertices);
+  const auto uniform = fit_map<double>(s.frame, s.uniform, a.receivers_body.vertices, a.depth_body.vertices, s.light_in_scene);
   const double here = texel_percentile(points, *a.map_from_world, a, 0.95),
                there = texel_percentile(points, uniform.map_from_world, a, 0.95);
   if (!(here > there * (1 + 1e-9))) return;
   a.worse_than_uniform = true;
   note(a, "worse_than_uniform_texels",
-       "Worse than the uniform map: 95th percentile of the texel size m on the scene box's lit sides, in pixels.", here, there);
+       "Worse than the uniform map: 95th percentile of the texel size m in pixels, estimated on surfaces all through "
+       "the receivers' body that face eye and light.",
+       here, there);
 }
 
 }  // namespace

@@ -94,7 +94,8 @@ dvec4 plane_of_warp(Warp warp, Stages& s, Analysis& a, std::span<const dvec3> re
   const auto uniform = warp_error(model, 1.0, tan_x);
   if (e.E_max_line > uniform.E_max_line * (1 + 1e-9)) {
     a.worse_than_uniform = true;
-    note(a, "worse_than_uniform", "Worse than the uniform map: largest F over the depth range.", e.F_max, uniform.F_max);
+    note(a, "worse_than_uniform", "Worse than the uniform map in the 2D model: largest F on the central line.", e.F_max,
+         uniform.F_max);
   }
   return warped_plane(s.uniform, s.frame.b, warp_range(s, a, receivers), strength.rho, strength.one_minus_rho);
 }
@@ -159,6 +160,8 @@ void note_variant(Analysis& a, const VariantMap<double>& m) {
 dvec4 technique_plane(Stages& s, Analysis& a, std::span<const dvec3> receivers) {
   const Technique technique = s.x.shadow.technique;
   a.technique_used = technique;
+  if (s.x.shadow.camera_shift && technique != Technique::psm)
+    note(a, "camera_shift_unused", "Only psm, psm_divided and psm_recipe look from a shifted eye.", *s.x.shadow.camera_shift);
   if (const auto warp = warp_of(technique)) return plane_of_warp(*warp, s, a, receivers);
   if (technique == Technique::psm) return plane_of_psm(s, a, receivers);
   if (technique == Technique::custom) return plane_of_custom(s, a);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where nobody has visible points yet: the lit inner sides of the scene box, seen through a coarse grid of pixels.
+// Texel sizes where nobody has visible points: small surfaces all through R that face eye and light alike, seen through a coarse
+// grid of pixels.
 #pragma once
 
 #include <vector>
@@ -13,8 +14,9 @@ struct SurfacePoint {
   glm::dvec3 position, normal;  // world space, unit normal
 };
 
-/// At most 16 x 9 points where view rays leave S through a side that faces the light, inside R.
-std::vector<SurfacePoint> sample_scene_box(const ViewFrame& view, const Analysis& analysis);
+/// Along each of 16 x 9 view rays three points of R: where it enters, the middle, where it leaves. Normals halve the angle
+/// between the directions to the eye and to the light.
+std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis& analysis);
 
 /// Percentile (0 to 1) of the texel size m in pixels over the points; infinite where the receiver holds the light ray.
 double texel_percentile(const std::vector<SurfacePoint>& points, const glm::dmat4& map_from_world, const Analysis& analysis,
