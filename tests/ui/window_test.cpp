@@ -90,7 +90,8 @@ class WindowTest : public testing::Test {
 
   // What the X and OpenGL drivers keep until the end is theirs; psmlab's own leaks show in the tests without a window.
   void start_program(const std::string& arguments) {
-    program_ = std::make_unique<Process>("env -C '" + folder_.path().string() + "' DISPLAY=" + display_ + " XDG_CONFIG_HOME='" +
+    program_ = std::make_unique<Process>("env -C '" + folder_.path().string() +
+                                         "' ASAN_OPTIONS=detect_leaks=0 DISPLAY=" + display_ + " XDG_CONFIG_HOME='" +
                                          (folder_.path() / "config").string() + "' '" PSMLAB_PROGRAM "' " + arguments);
     xdotool("search --sync --onlyvisible --name '^psmlab: '", "window");
     window_ = text_of(folder_.path() / "window");
