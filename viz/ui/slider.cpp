@@ -40,16 +40,23 @@ bool activate(ImGuiID id, bool hovered) {
   return tabbed || (clicked && (g.IO.KeyCtrl || g.IO.MouseDoubleClicked[0])) || g.NavActivateInputId == id;
 }
 
+/// The grab keeps the place at which it was taken; a press beside it brings its middle there.
 double drag(const Track& track, const SliderRange& range, double value, std::span<const Tick> ticks) {
   ImGuiContext& g = *GImGui;
   if (!g.IO.MouseDown[0]) {
     ImGui::ClearActiveID();
     return value;
   }
-  // The press itself moves nothing that is already under the grab: a click to focus must not change the value.
-  const double grabbed = std::abs(g.IO.MousePos.x - track.x(slider_place(range, value)));
-  if (g.IO.MouseClicked[0] && grabbed <= 0.5 * track.grab) return value;
-  const double wanted = slider_value(range, track.place(g.IO.MousePos.x));
+  const double mouse = g.IO.MousePos.x;
+  if (g.IO.MouseClicked[0]) {
+    const double off = mouse - track.x(slider_place(range, value));
+    const bool on_grab = std::abs(off) <= 0.5 * track.grab;
+    g.ActiveIdClickOffset.x = on_grab ? float(off) : 0.0f;
+    if (on_grab) return value;
+  } else if (g.IO.MouseDragMaxDistanceSqr[0] == 0.0f) {
+    return value;  // a click to focus must not change the value, not even by rounding
+  }
+  const double wanted = slider_value(range, track.place(mouse - g.ActiveIdClickOffset.x));
   if (g.IO.KeyAlt) return wanted;
   return snapped(range, wanted, ticks, snap_pixels / track.width());
 }
