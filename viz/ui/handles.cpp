@@ -5,9 +5,12 @@
 #include <cmath>
 
 #include "math/projective.h"
+#include "ui/light_angles.h"
 
 namespace psm {
 namespace {
+
+constexpr double half_pi = 1.57079632679489661923;
 
 /// Right, up and back of the picture, in world space.
 struct PictureAxes {
@@ -59,6 +62,51 @@ glm::dvec3 turned_sun(const HandleDrag& drag, glm::dvec2 pixel) {
   return glm::length(to_light) * (place.x * axes.right + place.y * axes.up + depth * axes.back);
 }
 
+Experiment moved_to(const HandleDrag& drag, glm::dvec2 pixel, bool vertical) {
+  Experiment out = drag.before;
+  switch (drag.handle.kind) {
+    case HandleKind::camera_position:
+      out.camera.position = moved(drag, pixel, vertical);
+      break;
+    case HandleKind::camera_target:
+      out.camera.target = moved(drag, pixel, vertical);
+      break;
+    case HandleKind::light_position:
+      out.light.position = moved(drag, pixel, vertical);
+      break;
+    case HandleKind::light_target:
+      out.light.target = moved(drag, pixel, vertical);
+      break;
+    case HandleKind::sun:
+      out.light.to_light = turned_sun(drag, pixel);
+      break;
+  }
+  return out;
+}
+
+double light_w(const Experiment& e) {
+  if (e.light.type != LightType::directional) return light_depth(e);
+  return glm::dot(view_forward(e.camera), safe_normalize(e.light.to_light));
+}
+
+/// The nearest pixel at which w = 0, to first order; nothing where w does not depend on the mouse.
+std::optional<glm::dvec2> pixel_of_zero(const HandleDrag& drag, glm::dvec2 pixel, bool vertical) {
+  const auto w = [&](double x, double y) { return light_w(moved_to(drag, pixel + glm::dvec2(x, y), vertical)); };
+  const glm::dvec2 slope = 0.5 * glm::dvec2(w(1, 0) - w(-1, 0), w(0, 1) - w(0, -1));
+  const glm::dvec2 way = -w(0, 0) * slope / glm::dot(slope, slope);
+  // Where the slope vanishes this is no number.
+  if (!(glm::length(way) < 1e6)) return std::nullopt;
+  return pixel + way;
+}
+
+/// w = 0 up to rounding, as the sliders have it.
+void put_at_zero(Experiment& e) {
+  if (e.light.type == LightType::directional)
+    e.light.to_light = to_light_at(e, half_pi, theta_side(e));
+  else
+    e.light.position = position_at_depth(e, 0.0);
+}
+
 }  // namespace
 
 const char* name_of(HandleKind kind) {
@@ -97,25 +145,14 @@ std::optional<Handle> picked_handle(const std::vector<Handle>& handles, glm::dve
   return best;
 }
 
-Experiment dragged(const HandleDrag& drag, glm::dvec2 pixel, bool vertical) {
-  Experiment out = drag.before;
-  switch (drag.handle.kind) {
-    case HandleKind::camera_position:
-      out.camera.position = moved(drag, pixel, vertical);
-      break;
-    case HandleKind::camera_target:
-      out.camera.target = moved(drag, pixel, vertical);
-      break;
-    case HandleKind::light_position:
-      out.light.position = moved(drag, pixel, vertical);
-      break;
-    case HandleKind::light_target:
-      out.light.target = moved(drag, pixel, vertical);
-      break;
-    case HandleKind::sun:
-      out.light.to_light = turned_sun(drag, pixel);
-      break;
-  }
+Experiment dragged(const HandleDrag& drag, glm::dvec2 pixel, bool vertical, double snap_pixels) {
+  Experiment out = moved_to(drag, pixel, vertical);
+  const bool lit = drag.handle.kind == HandleKind::light_position || drag.handle.kind == HandleKind::sun;
+  if (!lit || !(snap_pixels > 0.0) || pixel == drag.start) return out;
+  const auto zero = pixel_of_zero(drag, pixel, vertical);
+  if (!zero || glm::length(*zero - pixel) > snap_pixels) return out;
+  out = moved_to(drag, *zero, vertical);
+  put_at_zero(out);
   return out;
 }
 

@@ -39,7 +39,8 @@ struct HandleDrag {
 };
 
 /// The experiment with the handle moved to where the mouse is now: in the plane through the handle parallel to the picture, or
-/// along the world's vertical if `vertical`. The sun turns around the middle of the view.
-Experiment dragged(const HandleDrag& drag, glm::dvec2 pixel, bool vertical);
+/// along the world's vertical if `vertical`. The sun turns around the middle of the view. A light within `snap_pixels` of where
+/// its w is 0 snaps there.
+Experiment dragged(const HandleDrag& drag, glm::dvec2 pixel, bool vertical, double snap_pixels = 0.0);
 
 }  // namespace psm

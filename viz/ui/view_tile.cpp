@@ -15,18 +15,19 @@ namespace {
 
 constexpr double handle_reach = 10.0;  // pixels at scale 1
 constexpr double handle_radius = 8.0;
+constexpr double snap_pixels = 6.0;  // as the sliders
 
 struct Mouse {
   glm::dvec2 pixel;  // of the picture, y downwards
   glm::dvec2 drag;   // since the last frame, in fractions of the height, y up
-  bool shift;
+  bool shift, alt;
 };
 
 Mouse mouse_in(const Rect& picture) {
   const ImGuiIO& io = ImGui::GetIO();
   const double height = std::max(1, picture.size().y);
   return {glm::dvec2(io.MousePos.x, io.MousePos.y) - glm::dvec2(picture.min),
-          glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / height, io.KeyShift};
+          glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / height, io.KeyShift, io.KeyAlt};
 }
 
 OrbitSettings& orbit_of(ViewId id, ViewSettings& view) { return id == ViewId::world ? view.world : view.cube; }
@@ -75,7 +76,7 @@ void apply_drag(ViewId id, const Rect& picture, const ViewImages& images, const 
   if (drag.kind == ViewDrag::Kind::none) return;
   if (drag.kind == ViewDrag::Kind::handle) {
     const ViewSettings view = e.view;
-    e = dragged(*drag.handle, mouse.pixel, mouse.shift);
+    e = dragged(*drag.handle, mouse.pixel, mouse.shift, mouse.alt ? 0.0 : snap_pixels);
     e.view = view;
     return;
   }
