@@ -54,6 +54,22 @@ glm::dvec3 position_at_depth(const Experiment& e, double depth) {
   return e.camera.position + without(e.light.position - e.camera.position, v) + depth * v;
 }
 
+LightSettings with_type(const LightSettings& light, LightType type, const glm::dvec3& middle, double distance) {
+  LightSettings out = light;
+  out.type = type;
+  if (type == light.type) return out;
+  if (light.type == LightType::directional) {
+    out.position = middle + distance * safe_normalize(light.to_light);
+    out.target = middle;
+    return out;
+  }
+  const glm::dvec3 aim = light.type == LightType::spot ? light.target : middle;
+  if (aim == light.position) return out;
+  if (type == LightType::directional) out.to_light = safe_normalize(light.position - aim);
+  if (type == LightType::spot) out.target = middle;
+  return out;
+}
+
 Bearing bearing_of(const glm::dvec3& to_light) {
   return {std::atan2(to_light.x, to_light.z), std::atan2(to_light.y, std::hypot(to_light.x, to_light.z))};
 }

@@ -29,6 +29,10 @@ double light_depth(const Experiment& experiment);
 /// The light's position moved along the view direction to this depth. Exact at 0 up to rounding.
 glm::dvec3 position_at_depth(const Experiment& experiment, double depth);
 
+/// The light as another type, where it was: positions give directions as seen from its target or from `middle`; a direction gives
+/// a position at `distance` from `middle`, at which a new spot aims.
+LightSettings with_type(const LightSettings& light, LightType type, const glm::dvec3& middle, double distance);
+
 /// Compass direction and height of the light above the horizon (world y up), and back. Azimuth 0 is +z, 90 degrees is +x.
 struct Bearing {
   double azimuth = 0.0, elevation = 0.0;  // radians

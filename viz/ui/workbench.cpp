@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "ui/badge_bar.h"
+#include "ui/field_widgets.h"
+#include "ui/light_angles.h"
 #include "ui/numbers_pane.h"
 
 namespace psm {
@@ -148,7 +150,17 @@ void Workbench::pane_fields(Frame& f) {
   begin_child("fields", fields_rect(f.layout.pane));
   places_["pane.fields"] = fields_rect(f.layout.pane);
   control_fields(f.ui, light_, f.edited);
+  keep_light_in_place(f.edited);
   ImGui::EndChild();
+}
+
+// Each type has members of its own: without this a change of type would bring up a light that was left somewhere long ago.
+void Workbench::keep_light_in_place(Experiment& edited) const {
+  const LightSettings& before = model_.experiment().light;
+  if (edited.light.type == before.type) return;
+  const ConvexBody& seen = model_.analysis().receivers_body;
+  const glm::dvec3 middle = seen.empty() ? edited.camera.target : seen.centroid();
+  edited.light = with_type(before, edited.light.type, middle, scene_size(model_.scene()));
 }
 
 void Workbench::pane_header(Frame& f) {

@@ -80,6 +80,7 @@ class Workbench {
   void splitters(Frame& f);
   void tiles(Frame& f);
   void pane_fields(Frame& f);
+  void keep_light_in_place(Experiment& edited) const;
   void pane_header(Frame& f);
   void pane_numbers(Frame& f);
   void badge_line(Frame& f);
