@@ -46,6 +46,7 @@ Host::Host(Screen::Target target) : screen_(target), context_(ImGui::CreateConte
   io.IniFilename = nullptr;  // nothing is left in the working folder
   io.LogFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  io.ConfigDragClickToInputText = true;   // a click on a number is meant to type: its keys must not fire shortcuts
   io.ConfigInputTextCursorBlink = false;  // idle means idle
   name_keys(io);
   ImGui_ImplOpenGL3_Init(Screen::glsl_version());

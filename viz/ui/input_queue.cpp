@@ -53,8 +53,11 @@ bool InputQueue::fits(const Event& event, const Taken& taken) {
       return !taken.button && !taken.wheel && (event.down || !taken.move);
     case Kind::wheel:
       return !taken.button;
+    // A click may open a text field: what is typed next is for it.
     case Kind::key:
-      return !taken.text && !taken.keys.count(event.code);
+      return !taken.button && !taken.text && !taken.keys.count(event.code);
+    case Kind::text:
+      return !taken.button;
     default:
       return true;
   }
