@@ -53,5 +53,38 @@ TEST(Slider, AClickBesideTheGrabBringsItThere) {
   EXPECT_NEAR(fov.degrees(), 1.0 + 0.8 * 178.0, fov.per_pixel());
 }
 
+TEST(Slider, KeysActOnTheSliderThatWasClicked) {
+  Bench bench;
+  const FovSlider fov(bench);
+  bench.click(fov.grab(0.0));
+  const double before = fov.degrees();
+  const struct {
+    int key;
+    double step;
+  } presses[] = {{key::right, 1.78}, {key::right, 1.78}, {key::left, -1.78}, {key::page_up, 17.8}, {key::page_down, -17.8}};
+  double wanted = before;
+  for (const auto& press : presses) {
+    bench.key(press.key);
+    wanted += press.step;
+    EXPECT_NEAR(fov.degrees(), wanted, 1e-9) << press.key;
+  }
+  EXPECT_EQ(bench.work().model().history().undo_count(), 5u);
+  bench.key(key::home);
+  EXPECT_EQ(fov.degrees(), 1.0);
+  bench.key(key::end);
+  EXPECT_EQ(fov.degrees(), 179.0);
+}
+
+TEST(Slider, KeysLeaveASliderWithoutFocusAlone) {
+  Bench bench;
+  const FovSlider fov(bench);
+  const double before = fov.degrees();
+  bench.click(fov.grab(0.0));
+  bench.click(bench.at("view.cube"));
+  bench.key(key::right);
+  bench.key(key::end);
+  EXPECT_EQ(fov.degrees(), before);
+}
+
 }  // namespace
 }  // namespace psm::test

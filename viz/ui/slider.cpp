@@ -26,6 +26,26 @@ Track track_of(const ImRect& frame) {
   return {frame, std::min(ImGui::GetStyle().GrabMinSize * 0.7f, std::max(1.0f, frame.GetWidth() - 4.0f))};
 }
 
+constexpr ImGuiKey step_keys[] = {ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_PageUp,
+                                  ImGuiKey_PageDown,  ImGuiKey_Home,       ImGuiKey_End};
+
+bool any_step_key_down() {
+  return std::any_of(std::begin(step_keys), std::end(step_keys),
+                     [](ImGuiKey k) { return ImGui::IsKeyDown(ImGui::GetKeyIndex(k)); });
+}
+
+/// Focus is enough for the keys that step, which would lead to another widget otherwise. It is taken while one is held: one
+/// entry in the history.
+void take_by_keys(ImGuiID id) {
+  ImGuiContext& g = *GImGui;
+  if (g.ActiveId != 0 || g.NavId != id || g.NavWindow != g.CurrentWindow || g.IO.KeyCtrl || !any_step_key_down()) return;
+  ImGui::SetActiveID(id, g.CurrentWindow);
+  g.ActiveIdSource = ImGuiInputSource_Nav;
+  g.ActiveIdUsingNavDirMask |= (1 << ImGuiDir_Left) | (1 << ImGuiDir_Right);
+  for (ImGuiKey k : step_keys) g.ActiveIdUsingKeyInputMask |= ImU64(1) << k;
+  ImGui::NavMoveRequestCancel();
+}
+
 /// A click or Enter takes the slider; with Ctrl, Tab or Enter on the focused one it becomes a text field. True: text.
 bool activate(ImGuiID id, bool hovered) {
   ImGuiContext& g = *GImGui;
@@ -61,9 +81,11 @@ double drag(const Track& track, const SliderRange& range, double value, std::spa
   return snapped(range, wanted, ticks, snap_pixels / track.width());
 }
 
-double step_by_keys(ImGuiID id, const SliderRange& range, double value) {
-  ImGuiContext& g = *GImGui;
-  if (g.NavActivatePressedId == id && !g.ActiveIdIsJustActivated) ImGui::ClearActiveID();
+double step_by_keys(const SliderRange& range, double value) {
+  if (!any_step_key_down()) {
+    ImGui::ClearActiveID();
+    return value;
+  }
   const auto pressed = [](ImGuiKey k) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(k)); };
   if (pressed(ImGuiKey_Home)) return range.min;
   if (pressed(ImGuiKey_End)) return range.max;
@@ -167,10 +189,11 @@ bool ticked_slider(const char* label, double& value, const SliderRange& range, s
   if (ImGui::TempInputIsActive(id) || activate(id, hovered))
     return ImGui::TempInputScalar(frame, id, label, ImGuiDataType_Double, &value, "%.10g");
 
+  take_by_keys(id);
   const Track track = track_of(frame);
   const double before = value;
   if (g.ActiveId == id)
-    value = g.ActiveIdSource == ImGuiInputSource_Mouse ? drag(track, range, value, ticks) : step_by_keys(id, range, value);
+    value = g.ActiveIdSource == ImGuiInputSource_Mouse ? drag(track, range, value, ticks) : step_by_keys(range, value);
   if (value != before) ImGui::MarkItemEdited(id);
   draw_slider(id, track, range, value, ticks, text, hovered);
   draw_ticks(track, range, ticks, theme);
