@@ -67,7 +67,14 @@ void Dialogs::show(Kind kind, const std::string& text) {
   closing_ = false;
   age_ = 0;
   text_ = text;
+  back_to_ = Kind::none;
   if (kind == Kind::open) files_ = files_here();
+}
+
+void Dialogs::show_error(const std::string& error, Kind asked, const std::string& path) {
+  show(Kind::error, error);
+  back_to_ = asked;
+  back_path_ = path;
 }
 
 Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
@@ -95,6 +102,7 @@ Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
   if (closing_) shown_ = Kind::none;
   closing_ = false;
   ImGui::EndPopup();
+  if (shown_ == Kind::none && back_to_ != Kind::none) show(back_to_, std::string(back_path_));
   return answer;
 }
 
@@ -132,7 +140,6 @@ void Dialogs::list_files(UiContext& ui) {
 }
 
 void Dialogs::close_button(UiContext& ui) {
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   if (button(ui, "Close", "dialog.confirm")) close();
 }
 

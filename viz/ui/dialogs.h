@@ -17,9 +17,13 @@ class Dialogs {
   enum class Kind { none, open, save, error, help, settings };
 
   void show(Kind kind, const std::string& text = "");  // text: the path to begin with, or what went wrong
+  /// What went wrong with a path; afterwards the dialog that asked for it is there again, with the path.
+  void show_error(const std::string& error, Kind asked, const std::string& path);
   Kind shown() const { return closing_ ? Kind::none : shown_; }
   /// A new pop-up needs some frames until its first field takes keys; those typed meanwhile must wait.
   bool settling() const { return shown() != Kind::none && age_ < 3; }
+  /// It can be read and closed, nothing else: Enter closes it.
+  bool only_closes() const { return shown() == Kind::error || shown() == Kind::help; }
   void close() { closing_ = true; }
 
   /// What the user has decided in this frame.
@@ -43,6 +47,8 @@ class Dialogs {
   int age_ = 0;           // frames
   bool closing_ = false;  // at the end of this frame: ImGui must see a pop-up once more to let go of it
   std::string text_;
+  Kind back_to_ = Kind::none;  // after an error
+  std::string back_path_;
   Settings pending_;                // while a slider of the settings is held
   std::vector<std::string> files_;  // what the folder offers to open
 };

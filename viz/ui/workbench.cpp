@@ -189,10 +189,10 @@ void Workbench::badge_line(Frame& f) {
 
 void Workbench::dialogs(Frame& f) {
   const Dialogs::Answer answer = dialogs_.draw(f.ui, settings_);
-  if (answer.open) requests_.open = answer.open;
+  if (answer.open) requests_.open = typed_path_ = *answer.open;
   if (!answer.save) return;
   if (const auto error = model_.save(*answer.save))
-    dialogs_.show(Dialogs::Kind::error, error->text);
+    dialogs_.show_error(error->text, Dialogs::Kind::save, *answer.save);
   else
     message_ = "saved " + *answer.save;
 }

@@ -108,6 +108,7 @@ class Workbench {
   Requests requests_;
   Places places_;
   std::string message_;
+  std::string typed_path_;  // in the Open dialog, until it has been opened
   std::filesystem::path last_picture_;
   int frames_left_ = 3;
   double next_wake_ = std::numeric_limits<double>::infinity();

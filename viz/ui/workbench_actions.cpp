@@ -33,8 +33,9 @@ std::optional<ViewId> view_of(Action action) {
 
 void Workbench::take_keys(const std::vector<KeyPress>& presses) {
   for (const KeyPress& press : presses) {
+    const bool enter = press.key == key::enter || press.key == key::keypad_enter;
     if (dialogs_.shown() != Dialogs::Kind::none) {
-      if (press.key == key::escape) dialogs_.close();
+      if (press.key == key::escape || (enter && dialogs_.only_closes())) dialogs_.close();
       continue;
     }
     // Escape in a text field or a menu belongs to it.
@@ -129,7 +130,9 @@ void Workbench::change_technique(int step) {
 
 void Workbench::open(const std::string& source) {
   wake();
-  if (const auto error = model_.open(source)) return dialogs_.show(Dialogs::Kind::error, error->text);
+  const bool typed = std::exchange(typed_path_, "") == source;
+  if (const auto error = model_.open(source))
+    return dialogs_.show_error(error->text, typed ? Dialogs::Kind::open : Dialogs::Kind::none, source);
   drag_ = {};
   fitted_.fit_again();
   message_ = "opened " + source;
