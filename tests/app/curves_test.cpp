@@ -44,7 +44,9 @@ void compare(const Cells& row, const Cells& reference) {
   for (int i = 0; i < 4; ++i) EXPECT_EQ(std::stod(row[i]), std::stod(reference[i]));
   EXPECT_EQ(row[4], reference[4]);
   const bool exists = reference[6] != "nan";
-  if (!exists) EXPECT_LE(std::stod(row[5]), 0.0);
+  if (!exists) {
+    EXPECT_LE(std::stod(row[5]), 0.0);
+  }
   // The one Eq. 4 row at theta_0 is what two terms 1e11 times as large leave when they cancel.
   const double tolerance = reference[4] == "GMNPR_EQ4" && std::stod(reference[5]) < 1e-6 ? 3e-5 : 1e-11;
   for (int i = exists ? 5 : 6; i < 11; ++i)

@@ -81,7 +81,7 @@ TEST_P(GoldenImage, IsMet) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenImage, ::testing::ValuesIn(kGoldens),
-                         [](const auto& info) { return std::string(info.param.name) + "_" + name_of(info.param.view); });
+                         [](const auto& golden) { return std::string(golden.param.name) + "_" + name_of(golden.param.view); });
 
 }  // namespace
 }  // namespace psm::testing

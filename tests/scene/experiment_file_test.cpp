@@ -52,7 +52,9 @@ std::string refusal(const std::string& json) {
 
 void expect_same_members(const Experiment& a, const Experiment& b) {
   for (const Field& field : experiment_fields())
-    if (field.applies(b)) EXPECT_EQ(value_text(field, a), value_text(field, b)) << field.path;
+    if (field.applies(b)) {
+      EXPECT_EQ(value_text(field, a), value_text(field, b)) << field.path;
+    }
 }
 
 TEST(ExperimentFile, RandomExperimentsRoundTripBitForBit) {

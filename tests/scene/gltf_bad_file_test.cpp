@@ -144,6 +144,8 @@ const Case kCases[] = {
     {"/bufferViews/0/byteStride", "5", "bufferViews[0].byteStride is 5; allowed are multiples of 4"},
     {"/bufferViews/0/byteStride", "256", "bufferViews[0].byteStride is 256; allowed are 4 to 252"},
     {"/bufferViews/0/buffer", "1", "bufferViews[0].buffer is 1; allowed are 0 to 0 (buffers)"},
+    {"/asset/minVersion", "\"2.1\"", "asset.minVersion is \"2.1\"; what needs more than glTF 2.0 is not read"},
+    {"/buffers/0/byteLength", "10", "bufferViews[0] takes bytes 0 to 35; buffers[0] has 10 bytes"},
     {"/buffers/0/byteLength", "4294967296", "buffers[0].byteLength is 4294967296; the data has 44 bytes"},
     {"/buffers/0/uri", "", "buffers[0] has no uri"},
     {"/buffers/0/uri", "\"missing.bin\"", "buffers[0].uri names \"missing.bin\": there is no such file"},

@@ -33,11 +33,6 @@ Plate plate_around(glm::dvec2 top_left, glm::dvec2 size, double scale) {
   return {top_left - label_margin * scale, size + 2.0 * label_margin * scale};
 }
 
-bool overlap(const Plate& p, const Plate& q) {
-  return p.top_left.x < q.top_left.x + q.size.x && q.top_left.x < p.top_left.x + p.size.x &&
-         p.top_left.y < q.top_left.y + q.size.y && q.top_left.y < p.top_left.y + p.size.y;
-}
-
 void add_plate(std::vector<ShapeVertex>& to, const Plate& plate, const glm::vec3& text_color, const PictureFrame& frame) {
   append_plate(to, frame, plate.top_left, plate.size, kPlateRadius * frame.scale,
                glm::vec4(ground_color(frame.theme), kPlateOpacity), glm::vec4(text_color, kRimOpacity));
@@ -80,15 +75,15 @@ std::vector<TextBox> TextPass::layout(const ViewPicture& picture, const PictureF
     title_plate = plate_around(top_left, size, frame.scale);
     boxes.push_back({top_left, size, picture.title, glm::vec4(label_color(Role::neutral, frame.theme), 1.0f)});
   }
-  for (const PlacedLabel& label : place_labels(picture.list, picture.clip_from_list, frame.size, frame.scale, measure, this)) {
-    Plate plate = plate_around(label.top_left, label.size, frame.scale);
-    // The title's corner is taken.
-    const double drop = overlap(plate, title_plate) ? title_plate.top_left.y + title_plate.size.y - plate.top_left.y : 0.0;
-    plate.top_left.y += drop;
+  std::vector<Occupied> occupied;
+  if (!picture.title.empty()) occupied.push_back({title_plate.top_left, title_plate.size});
+  for (const PlacedLabel& label :
+       place_labels(picture.list, picture.clip_from_list, frame.size, frame.scale, measure, this, occupied)) {
+    const Plate plate = plate_around(label.top_left, label.size, frame.scale);
     const glm::vec3 color = label_color(label.role, frame.theme);
-    if (label.leader || drop > 0.0) add_leader(leaders, label, plate, color, frame);
+    if (label.leader) add_leader(leaders, label, plate, color, frame);
     add_plate(plates, plate, color, frame);
-    boxes.push_back({label.top_left + glm::dvec2(0.0, drop), label.size, label.text, glm::vec4(color, 1.0f)});
+    boxes.push_back({label.top_left, label.size, label.text, glm::vec4(color, 1.0f)});
   }
   if (!picture.title.empty()) add_plate(plates, title_plate, label_color(Role::neutral, frame.theme), frame);
   return boxes;

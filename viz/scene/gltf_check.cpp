@@ -199,6 +199,9 @@ class DocumentCheck {
           asset.text("version", Need::required);
           const std::string version = asset.out["version"];
           if (version.rfind("2.", 0) != 0) fail("asset.version", "is " + shown(asset.out["version"]) + "; only glTF 2 is read");
+          asset.text("minVersion");
+          if (asset.out.contains("minVersion") && asset.out["minVersion"] != "2.0")
+            fail("asset.minVersion", "is " + shown(asset.out["minVersion"]) + "; what needs more than glTF 2.0 is not read");
         },
         Need::required);
   }

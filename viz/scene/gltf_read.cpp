@@ -30,6 +30,10 @@ SharedBytes load_buffer(const BufferSource& buffer, std::size_t index, const Con
   if (bytes->size() < buffer.byte_length)
     fail(place + ".byteLength",
          "is " + std::to_string(buffer.byte_length) + "; the data has " + std::to_string(bytes->size()) + " bytes");
+  // What is past the declared length is not the buffer's.
+  if (bytes->size() > buffer.byte_length)
+    bytes =
+        std::make_shared<const SharedBytes::element_type>(bytes->begin(), bytes->begin() + std::ptrdiff_t(buffer.byte_length));
   return bytes;
 }
 
@@ -52,7 +56,8 @@ void build_scene(Source& source, Scene& scene) {
   charge_meshes(source, graph);
   const auto texcoords = read_materials(source, scene);
   for (const int node : graph.order) read_node_meshes(source, graph, node, texcoords, scene);
-  if (scene.meshes.empty()) throw Problem{"has nothing to show: no mesh hangs in the nodes of its scene"};
+  if (scene.meshes.empty())
+    throw Problem{"has nothing to show: no whole triangle, line or point hangs in the nodes of its scene"};
   update_bounds(scene);
   read_camera_and_light(source, graph, scene);
 }
