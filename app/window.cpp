@@ -79,6 +79,7 @@ class App {
   static App& of(GLFWwindow* window) { return *static_cast<App*>(glfwGetWindowUserPointer(window)); }
   void install_callbacks();
   void wait();
+  void ask_before_closing();
   void draw();
   glm::dvec2 framebuffer_point(double x, double y) const;
   static WorkbenchOptions options();
@@ -183,9 +184,18 @@ void App::wait() {
   if (glfwGetTime() >= due) workbench_.wake();
 }
 
+// A minimised window comes back with its question.
+void App::ask_before_closing() {
+  if (!glfwWindowShouldClose(window_)) return;
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+  workbench_.ask_to_quit();
+  if (!workbench_.wants_quit() && glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) glfwRestoreWindow(window_);
+}
+
 void App::run() {
-  while (!glfwWindowShouldClose(window_) && !workbench_.wants_quit()) {
+  while (!workbench_.wants_quit()) {
     wait();
+    ask_before_closing();
     const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
     if (!minimised && (workbench_.needs_redraw() || !input_.empty())) draw();
   }

@@ -23,6 +23,8 @@ const char* title_of(Dialogs::Kind kind) {
       return "That did not work";
     case Dialogs::Kind::help:
       return "Keys and mouse";
+    case Dialogs::Kind::unsaved:
+      return "Save the experiment?";
     default:
       return "Settings";
   }
@@ -95,6 +97,7 @@ Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
     answer = path_dialog(ui, "An experiment (.psm.json), a .gltf or .glb file, or a scene's name:", "Open");
   if (shown_ == Kind::save) answer = path_dialog(ui, "Where to save the experiment:", "Save");
   if (shown_ == Kind::error) error_dialog(ui);
+  if (shown_ == Kind::unsaved) answer = unsaved_dialog(ui);
   if (shown_ == Kind::help) help_dialog(ui);
   if (shown_ == Kind::settings) settings_dialog(ui, settings);
   opens_ = false;
@@ -149,6 +152,29 @@ void Dialogs::error_dialog(UiContext& ui) {
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
   close_button(ui);
+}
+
+Dialogs::Answer Dialogs::unsaved_dialog(UiContext& ui) {
+  Answer answer;
+  ImGui::TextUnformatted("The experiment has changed since it was opened or saved.");
+  ImGui::TextDisabled("Enter or S saves, D discards the changes, Esc goes on working.");
+  ImGui::Spacing();
+  const auto typed = [&](char letter) { return !settling() && ImGui::IsKeyPressed(letter, false); };
+  const auto enter = [&] {
+    return !settling() && (ImGui::IsKeyPressed(key::enter, false) || ImGui::IsKeyPressed(key::keypad_enter, false));
+  };
+  // Enter belongs to the button that has the focus, Save at first.
+  const auto choice = [&](const char* label, const char* place) {
+    return button(ui, label, place) || (ImGui::IsItemFocused() && enter());
+  };
+  answer.save_first = choice("Save…", "dialog.save") || typed('S');
+  ImGui::SetItemDefaultFocus();
+  ImGui::SameLine();
+  answer.discard = choice("Discard", "dialog.discard") || typed('D');
+  ImGui::SameLine();
+  const bool cancelled = choice("Cancel", "dialog.cancel");
+  if (cancelled || answer.save_first || answer.discard) close();
+  return answer;
 }
 
 void Dialogs::help_dialog(UiContext& ui) {

@@ -14,7 +14,7 @@ namespace psm {
 
 class Dialogs {
  public:
-  enum class Kind { none, open, save, error, help, settings };
+  enum class Kind { none, open, save, error, help, settings, unsaved };
 
   void show(Kind kind, const std::string& text = "");  // text: the path to begin with, or what went wrong
   /// What went wrong with a path; afterwards the dialog that asked for it is there again, with the path.
@@ -29,6 +29,7 @@ class Dialogs {
   /// What the user has decided in this frame.
   struct Answer {
     std::optional<std::string> open, save;
+    bool save_first = false, discard = false;  // of the question before quitting
   };
   Answer draw(UiContext& ui, Settings& settings);
 
@@ -36,6 +37,7 @@ class Dialogs {
   Answer path_dialog(UiContext& ui, const char* explanation, const char* confirm);
   void list_files(UiContext& ui);
   void error_dialog(UiContext& ui);
+  Answer unsaved_dialog(UiContext& ui);
   void help_dialog(UiContext& ui);
   void settings_slider(UiContext& ui, const char* label, int Settings::*member, int low, int high, const char* format,
                        Settings& settings);

@@ -23,7 +23,7 @@ bool same_but_views(Experiment a, const Experiment& b) {
 
 Model::Model(LoadedExperiment loaded) : loaded_(std::move(loaded)) {
   adopt_scene_source();
-  original_ = loaded_.experiment;
+  original_ = saved_ = loaded_.experiment;
   originals_[loaded_.experiment.scene.source] = original_;
   scene_revision_ = 1;
   analyze_now();
@@ -101,7 +101,7 @@ std::optional<InputError> Model::open(const std::string& source) {
   const Experiment before = loaded_.experiment;
   loaded_ = std::move(*loaded);
   adopt_scene_source();
-  original_ = loaded_.experiment;
+  original_ = saved_ = loaded_.experiment;
   originals_[original_.scene.source] = original_;
   ++scene_revision_;
   analyze_now();
@@ -110,6 +110,12 @@ std::optional<InputError> Model::open(const std::string& source) {
   return std::nullopt;
 }
 
-std::optional<InputError> Model::save(const fs::path& file) const { return save_experiment(loaded_, file); }
+std::optional<InputError> Model::save(const fs::path& file) {
+  if (auto error = save_experiment(loaded_, file)) return error;
+  saved_ = loaded_.experiment;
+  return std::nullopt;
+}
+
+bool Model::unsaved() const { return !same_but_views(saved_, loaded_.experiment); }
 
 }  // namespace psm

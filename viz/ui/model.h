@@ -35,7 +35,9 @@ class Model {
 
   /// An experiment file, a .gltf or .glb, or a built-in scene's id. On an error everything stays as it is. Can be undone.
   std::optional<InputError> open(const std::string& source);
-  std::optional<InputError> save(const std::filesystem::path& file) const;
+  std::optional<InputError> save(const std::filesystem::path& file);
+  /// More than the views differs from what was opened or last saved.
+  bool unsaved() const;
 
   const History& history() const { return history_; }
   std::uint64_t analysis_revision() const { return analysis_revision_; }  // grows with each analysis
@@ -49,7 +51,7 @@ class Model {
   void adopt_scene_source();
 
   LoadedExperiment loaded_;
-  Experiment original_;
+  Experiment original_, saved_;
   std::map<std::string, Experiment> originals_;  // by scene source, for undo across scenes
   Analysis analysis_;
   History history_;

@@ -190,15 +190,19 @@ void Workbench::badge_line(Frame& f) {
 void Workbench::dialogs(Frame& f) {
   const Dialogs::Answer answer = dialogs_.draw(f.ui, settings_);
   if (answer.open) requests_.open = typed_path_ = *answer.open;
-  if (!answer.save) return;
-  if (const auto error = model_.save(*answer.save))
-    dialogs_.show_error(error->text, Dialogs::Kind::save, *answer.save);
-  else
-    message_ = "saved " + *answer.save;
+  if (answer.discard) wants_quit_ = true;
+  if (answer.save_first) {
+    ask_for_path_to_save();
+    quits_after_save_ = true;
+  }
+  if (answer.save) save(*answer.save);
+  if (dialogs_.shown() == Dialogs::Kind::none) quits_after_save_ = false;
 }
 
 void Workbench::commit(Frame& f) {
-  f.changed |= model_.commit(f.edited, f.tag, f.now);
+  const bool changed = model_.commit(f.edited, f.tag, f.now);
+  if (changed) message_.clear();
+  f.changed |= changed;
   f.edited = model_.experiment();
 }
 

@@ -55,6 +55,8 @@ class Workbench {
   /// Events have to wait for the next frame.
   bool holds_input() const { return dialogs_.settling(); }
   bool wants_quit() const { return wants_quit_; }
+  /// The window is to be closed: unsaved changes are asked about first.
+  void ask_to_quit();
 
   /// The window's picture is wanted for a PNG: whoever composed the frame hands it over.
   bool wants_screen() const { return wants_screen_; }
@@ -85,6 +87,8 @@ class Workbench {
   void pane_numbers(Frame& f);
   void badge_line(Frame& f);
   void dialogs(Frame& f);
+  void ask_for_path_to_save();
+  void save(const std::string& file);
   void commit(Frame& f);
   void draw_views(Frame& f);
   void end_frame(Frame& f);
@@ -114,7 +118,7 @@ class Workbench {
   double next_wake_ = std::numeric_limits<double>::infinity();
   double views_ms_ = 0.0;
   std::uint64_t frames_ = 0, views_drawn_ = 0;
-  bool wants_screen_ = false, wants_quit_ = false, show_notes_ = false;
+  bool wants_screen_ = false, wants_quit_ = false, quits_after_save_ = false, show_notes_ = false;
 };
 
 }  // namespace psm

@@ -55,7 +55,7 @@ void Workbench::act(Action action) {
     case Action::open:
       return dialogs_.show(Dialogs::Kind::open);
     case Action::save:
-      return dialogs_.show(Dialogs::Kind::save, scene_stem(model_.experiment()) + ".psm.json");
+      return ask_for_path_to_save();
     case Action::undo:
       message_ = model_.undo() ? "undone" : "nothing to undo";
       return;
@@ -63,6 +63,7 @@ void Workbench::act(Action action) {
       message_ = model_.redo() ? "redone" : "nothing to redo";
       return;
     case Action::reset:
+      message_.clear();
       return model_.reset();
     case Action::fit_views:
       return fit_views();
@@ -87,8 +88,7 @@ void Workbench::act(Action action) {
     case Action::save_picture:
       return ask_for_picture();
     case Action::quit:
-      wants_quit_ = true;
-      return;
+      return ask_to_quit();
     case Action::copy_state:
       ImGui::SetClipboardText(experiment_to_json(model_.experiment()).c_str());
       message_ = "experiment copied as text";
@@ -99,9 +99,25 @@ void Workbench::act(Action action) {
   settings_ = clamped(settings_);
 }
 
+void Workbench::ask_to_quit() {
+  wake();
+  if (!model_.unsaved())
+    wants_quit_ = true;
+  else if (dialogs_.shown() != Dialogs::Kind::unsaved)
+    dialogs_.show(Dialogs::Kind::unsaved);
+}
+
+void Workbench::ask_for_path_to_save() { dialogs_.show(Dialogs::Kind::save, scene_stem(model_.experiment()) + ".psm.json"); }
+
+void Workbench::save(const std::string& file) {
+  if (const auto error = model_.save(file)) return dialogs_.show_error(error->text, Dialogs::Kind::save, file);
+  message_ = "saved " + file;
+  wants_quit_ = wants_quit_ || quits_after_save_;
+}
+
 void Workbench::commit_now(const Experiment& edited) {
   model_.end_gesture();
-  model_.commit(edited, "", ImGui::GetTime());
+  if (model_.commit(edited, "", ImGui::GetTime())) message_.clear();
   model_.end_gesture();
 }
 
