@@ -19,11 +19,16 @@ struct PictureAxes {
       : right(row(camera.view_from_space, 0)), up(row(camera.view_from_space, 1)), back(row(camera.view_from_space, 2)) {}
 };
 
-void add(std::vector<Handle>& out, HandleKind kind, const glm::dvec4& point, const ViewPicture& world, glm::ivec2 size) {
+/// Nothing for what lies behind the viewer.
+std::optional<glm::dvec2> pixel_of(const glm::dvec4& point, const ViewPicture& world, glm::ivec2 size) {
   const glm::dvec4 clip = world.clip_from_list * point;
-  if (!(clip.w > 0.0) || !(point.w > 0.0)) return;
+  if (!(clip.w > 0.0) || !(point.w > 0.0)) return std::nullopt;
   const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
-  out.push_back({kind, glm::dvec3(point) / point.w, 0.5 * glm::dvec2(1.0 + ndc.x, 1.0 - ndc.y) * glm::dvec2(size)});
+  return 0.5 * glm::dvec2(1.0 + ndc.x, 1.0 - ndc.y) * glm::dvec2(size);
+}
+
+void add(std::vector<Handle>& out, HandleKind kind, const glm::dvec4& point, const ViewPicture& world, glm::ivec2 size) {
+  if (const auto pixel = pixel_of(point, world, size)) out.push_back({kind, glm::dvec3(point) / point.w, *pixel});
 }
 
 /// World units that one pixel spans at this point, to the right and downwards alike.
@@ -133,6 +138,13 @@ std::vector<Handle> handles(const ViewPicture& world, const Experiment& experime
       break;
     }
   return out;
+}
+
+bool is_labelled(const Handle& handle, const ViewPicture& world, glm::ivec2 size) {
+  return std::any_of(world.list.labels.begin(), world.list.labels.end(), [&](const DrawLabel& label) {
+    const auto pixel = pixel_of(label.anchor, world, size);
+    return pixel && glm::length(*pixel - handle.pixel) < 2.0;
+  });
 }
 
 std::optional<Handle> picked_handle(const std::vector<Handle>& handles, glm::dvec2 pixel, double reach) {

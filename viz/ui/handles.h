@@ -26,6 +26,9 @@ Role role_of(HandleKind kind);
 /// Those in front of the viewer, whether or not they lie on the picture. `world`: the picture of the world view.
 std::vector<Handle> handles(const ViewPicture& world, const Experiment& experiment, glm::ivec2 size);
 
+/// Whether the picture itself writes a name at this place.
+bool is_labelled(const Handle& handle, const ViewPicture& world, glm::ivec2 size);
+
 /// The nearest one within `reach` pixels.
 std::optional<Handle> picked_handle(const std::vector<Handle>& handles, glm::dvec2 pixel, double reach);
 

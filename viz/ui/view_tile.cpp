@@ -108,6 +108,16 @@ void toggle_maximised(ViewId id, ViewDrag& drag, Experiment& e) {
   e.view.maximised = e.view.maximised ? std::nullopt : std::optional<ViewId>(id);
 }
 
+/// As the labels of the pictures: what lies behind must not make it illegible.
+void write_on_plate(ImVec2 at, const char* text) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  const float margin = 0.2f * ImGui::GetFontSize();
+  list->AddRectFilled({at.x - margin, at.y - margin}, {at.x + size.x + margin, at.y + size.y + margin},
+                      ImGui::GetColorU32(ImGuiCol_PopupBg), margin);
+  list->AddText(at, text_color(), text);
+}
+
 void draw_handles(const UiContext& ui, const Rect& picture, const ViewImages& images, const ViewDrag& drag) {
   const auto all = handles(images.picture(ViewId::world), images.analysis().experiment, picture.size());
   std::optional<Handle> hot;
@@ -123,7 +133,8 @@ void draw_handles(const UiContext& ui, const Rect& picture, const ViewImages& im
     const ImVec2 at(float(picture.min.x + handle.pixel.x), float(picture.min.y + handle.pixel.y));
     const float radius = float((lit ? 1.3 : 1.0) * handle_radius * ui.scale), width = float((lit ? 3.0 : 1.5) * ui.scale);
     list->AddCircle(at, radius, line_color(role_of(handle.kind), ui.theme), 32, width);
-    if (lit) list->AddText({at.x + 1.4f * radius, at.y - 0.5f * ImGui::GetFontSize()}, text_color(), name_of(handle.kind));
+    if (lit && !is_labelled(handle, images.picture(ViewId::world), picture.size()))
+      write_on_plate({at.x + 1.6f * radius, at.y - 0.5f * ImGui::GetFontSize()}, name_of(handle.kind));
   }
 }
 
