@@ -70,13 +70,15 @@ float badge_width(const Badge& b) { return ImGui::CalcTextSize(b.text.c_str()).x
 float line_height() { return std::floor(1.75f * ImGui::GetFontSize()); }
 float gap() { return std::floor(0.35f * ImGui::GetFontSize()); }
 
-/// Top left corners, line after line, relative to the bar.
-std::vector<ImVec2> badge_corners(const std::vector<Badge>& badges, float width) {
+/// Top left corners, line after line, relative to the bar. Where there are two lines the second begins with the times, so that
+/// it is not empty when all would fit into the first.
+std::vector<ImVec2> badge_corners(const std::vector<Badge>& badges, float width, bool two_lines) {
   std::vector<ImVec2> corners;
   float x = gap(), y = 0.0f;
   for (const Badge& badge : badges) {
     const float needed = badge_width(badge);
-    if (x > gap() && x + needed + gap() > width) x = gap(), y += line_height();
+    const bool full = x > gap() && x + needed + gap() > width, begins = two_lines && y == 0.0f && badge.name == "badge.time";
+    if (full || begins) x = gap(), y += line_height();
     corners.push_back({x, y});
     x += needed + gap();
   }
@@ -125,7 +127,7 @@ int badge_bar_height(int width) {
 }
 
 std::string badge_bar(UiContext& ui, const std::vector<Badge>& badges, const Rect& bar) {
-  const auto corners = badge_corners(badges, float(bar.size().x));
+  const auto corners = badge_corners(badges, float(bar.size().x), float(bar.size().y) > 1.5f * line_height());
   std::string clicked;
   for (std::size_t i = 0; i < badges.size() && corners[i].y + line_height() <= float(bar.size().y) + 1.0f; ++i)
     if (draw_badge(ui, badges[i], {float(bar.min.x) + corners[i].x, float(bar.min.y) + corners[i].y})) clicked = badges[i].name;
