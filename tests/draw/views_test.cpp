@@ -18,19 +18,6 @@ using testing::HasSubstr;
 
 constexpr ViewId kViews[] = {ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};
 
-Scene box_scene(dvec3 min, dvec3 max) {
-  Scene s;
-  s.id = "box";
-  s.materials.resize(1);
-  Mesh m;
-  m.positions = {min, max, {min.x, max.y, min.z}};
-  m.triangles = {0, 1, 2};
-  s.meshes = {m};
-  s.bounds.add(min);
-  s.bounds.add(max);
-  return s;
-}
-
 const Scene kRoom = box_scene({-5, 0, -5}, {5, 2, 5});
 
 ViewPicture view_of(ViewId id, const Experiment& e, const Scene& scene = kRoom, ivec2 size = {800, 600}) {

@@ -13,20 +13,6 @@ namespace {
 
 using glm::dvec3, glm::dvec4, glm::dmat4;
 
-/// A scene that is nothing but its box.
-Scene box_scene(dvec3 min, dvec3 max) {
-  Scene s;
-  s.id = "box";
-  s.materials.resize(1);
-  Mesh m;
-  m.positions = {min, max, {min.x, max.y, min.z}};
-  m.triangles = {0, 1, 2};
-  s.meshes = {m};
-  s.bounds.add(min);
-  s.bounds.add(max);
-  return s;
-}
-
 const Scene kGround = box_scene({-100, -10, -200}, {100, 0, 0});
 const Scene kRoom = box_scene({-4, 0, -5}, {4, 3, 5});
 

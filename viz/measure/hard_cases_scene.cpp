@@ -12,20 +12,6 @@ namespace {
 
 using glm::dvec3, glm::dvec4;
 
-/// A scene that is nothing but its box.
-Scene box_scene(dvec3 min, dvec3 max) {
-  Scene s;
-  s.id = "box";
-  s.materials.resize(1);
-  Mesh m;
-  m.positions = {min, max, {min.x, max.y, min.z}};
-  m.triangles = {0, 1, 2};
-  s.meshes = {m};
-  s.bounds.add(min);
-  s.bounds.add(max);
-  return s;
-}
-
 Scene room() { return box_scene({-4, 0, -5}, {4, 3, 5}); }
 
 Experiment standing(Technique technique = Technique::psm) {

@@ -82,6 +82,17 @@ void update_bounds(Scene& scene) {
     for (const auto& p : mesh.positions) scene.bounds.add(p);
 }
 
+Scene box_scene(const glm::dvec3& min, const glm::dvec3& max) {
+  Scene scene;
+  scene.id = "box";
+  scene.materials.resize(1);
+  scene.meshes.resize(1);
+  scene.meshes[0].positions = {min, max, {min.x, max.y, min.z}};
+  scene.meshes[0].triangles = {0, 1, 2};
+  update_bounds(scene);
+  return scene;
+}
+
 Result<Scene> load_scene(const std::string& source, const std::filesystem::path& base) {
   Result<Scene> scene = scene_from(source, base);
   if (!scene) return scene;

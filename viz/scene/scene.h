@@ -68,6 +68,9 @@ struct Scene {
 /// Recomputes `bounds` from the positions.
 void update_bounds(Scene& scene);
 
+/// A scene that is nothing but its box: one triangle between the corners. For studies of the mathematics alone.
+Scene box_scene(const glm::dvec3& min, const glm::dvec3& max);
+
 /// Built-in scenes, made by code: ids in a fixed order, and one by its id (an error lists the ids).
 std::vector<std::string> builtin_scene_ids();
 Result<Scene> builtin_scene(const std::string& id);
