@@ -31,6 +31,7 @@ enum class Action {
   smaller,
   technique_next,
   technique_previous,
+  play_camera_shift,
   copy_state,
   quit
 };

@@ -102,6 +102,7 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar(3);
+  move_camera_shift(f);
   splitters(f);
   tiles(f);
   pane_fields(f);
@@ -136,6 +137,18 @@ void Workbench::splitters(Frame& f) {
   bar("pane", f.layout.pane_splitter, Splitter::pane, ImGuiMouseCursor_ResizeEW);
   bar("column", f.layout.column_splitter, Splitter::column, ImGuiMouseCursor_ResizeEW);
   bar("row", f.layout.row_splitter, Splitter::row, ImGuiMouseCursor_ResizeNS);
+}
+
+void Workbench::move_camera_shift(Frame& f) {
+  if (!shift_play_) return;
+  if (f.edited.shadow.camera_shift != shift_play_->last) return shift_play_.reset();
+  constexpr double seconds = 0.6;
+  const double t = std::clamp((f.now - shift_play_->start) / seconds, 0.0, 1.0);
+  f.edited.shadow.camera_shift = shift_play_->last =
+      t < 1.0 ? t * t * (3.0 - 2.0 * t) * shift_play_->end_shift : shift_play_->end_shift;
+  f.tag = "play camera shift";
+  wake();
+  if (t == 1.0) shift_play_.reset();
 }
 
 void Workbench::tiles(Frame& f) {

@@ -29,6 +29,12 @@ struct WorkbenchOptions {
   std::function<std::optional<InputError>(const std::filesystem::path&, const Image&)> write_picture;
 };
 
+/// The camera shift on its way from 0 to the automatic value.
+struct ShiftPlay {
+  double start, end_shift;     // start in seconds
+  std::optional<double> last;  // what it set last: anything else means that the user has taken over
+};
+
 /// Needs a current OpenGL context and a current ImGui context.
 class Workbench {
  public:
@@ -82,6 +88,8 @@ class Workbench {
   void splitters(Frame& f);
   void tiles(Frame& f);
   void pane_fields(Frame& f);
+  void play_camera_shift();
+  void move_camera_shift(Frame& f);
   void keep_light_in_place(Experiment& edited) const;
   void pane_header(Frame& f);
   void pane_numbers(Frame& f);
@@ -108,6 +116,7 @@ class Workbench {
   FittedOrbits fitted_;
   ViewDrag drag_;
   LightControls light_;
+  std::optional<ShiftPlay> shift_play_;
   Dialogs dialogs_;
   Requests requests_;
   Places places_;

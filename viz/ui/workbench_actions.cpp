@@ -85,6 +85,8 @@ void Workbench::act(Action action) {
       return change_technique(+1);
     case Action::technique_previous:
       return change_technique(-1);
+    case Action::play_camera_shift:
+      return play_camera_shift();
     case Action::save_picture:
       return ask_for_picture();
     case Action::quit:
@@ -142,6 +144,23 @@ void Workbench::change_technique(int step) {
   const int count = int(offered.size()), at = found == offered.end() ? 0 : int(found - offered.begin());
   edited.shadow.technique = offered[std::size_t((at + step + count) % count)];
   commit_now(edited);
+}
+
+void Workbench::play_camera_shift() {
+  Experiment automatic = model_.experiment();
+  const Technique technique = automatic.shadow.technique;
+  if (technique != Technique::psm_divided && technique != Technique::psm_recipe) {
+    message_ = "only PSM divided and PSM recipe shift the camera";
+    return;
+  }
+  automatic.shadow.camera_shift.reset();
+  const double shift = analyze(automatic, model_.scene()).camera_shift;
+  if (shift == 0.0) {
+    message_ = "the automatic camera shift is 0 here";
+    return;
+  }
+  model_.end_gesture();
+  shift_play_ = ShiftPlay{ImGui::GetTime(), shift, model_.experiment().shadow.camera_shift};
 }
 
 void Workbench::open(const std::string& source) {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Key A: the camera shift of the 2002 paper, played from 0 to its automatic value.
+#include "harness.h"
+
+namespace psm::test {
+namespace {
+
+const std::vector<std::string> kShifted = {"light.type=point", "light.position=-6,9,8", "shadow.technique=psm_divided"};
+
+TEST(CameraShift, PlaysFromZeroToTheAutomaticValue) {
+  Bench bench("ground", kShifted);
+  const Experiment before = bench.experiment();
+  const double automatic = bench.analysis().camera_shift;
+  ASSERT_GT(automatic, 0.0);
+  bench.input().key('A', true);
+  bench.input().key('A', false);
+  double last = -1.0;
+  int steps = 0;
+  for (; bench.experiment().shadow.camera_shift != automatic && steps < 100; ++steps) {
+    bench.frame();
+    ASSERT_TRUE(bench.experiment().shadow.camera_shift);
+    EXPECT_GE(*bench.experiment().shadow.camera_shift, last);
+    EXPECT_LE(*bench.experiment().shadow.camera_shift, automatic);
+    if (steps == 0) {
+      EXPECT_LT(*bench.experiment().shadow.camera_shift, 0.05 * automatic);
+    }
+    last = *bench.experiment().shadow.camera_shift;
+  }
+  EXPECT_NEAR(steps, 36, 3) << "0.6 s at 60 frames a second";
+  bench.settle();
+  const auto drawn = bench.work().frames(), views = bench.work().views_drawn();
+  bench.settle();
+  EXPECT_EQ(bench.work().frames(), drawn);
+  EXPECT_EQ(bench.work().views_drawn(), views);
+  EXPECT_EQ(bench.experiment().shadow.camera_shift, automatic);
+  EXPECT_EQ(bench.work().model().history().undo_count(), 1u);
+  bench.key('Z', {true, false, false});
+  EXPECT_EQ(bench.experiment(), before);
+}
+
+TEST(CameraShift, UndoOnTheWayStopsIt) {
+  Bench bench("ground", kShifted);
+  const Experiment before = bench.experiment();
+  bench.input().key('A', true);
+  bench.input().key('A', false);
+  for (int i = 0; i < 10; ++i) bench.frame();
+  ASSERT_NE(bench.experiment(), before);
+  bench.key('Z', {true, false, false});
+  EXPECT_EQ(bench.experiment(), before);
+}
+
+TEST(CameraShift, OtherTechniquesSayWhyNothingMoves) {
+  Bench bench("ground");
+  const Experiment before = bench.experiment();
+  bench.key('A');
+  EXPECT_EQ(bench.experiment(), before);
+  EXPECT_NE(bench.work().message().find("PSM divided"), std::string::npos);
+}
+
+TEST(CameraShift, WhereNoneIsNeededTheStatusSaysSo) {
+  Bench bench("ground", {"light.type=point", "light.position=-6,9,-8", "shadow.technique=psm_divided"});
+  ASSERT_EQ(bench.analysis().camera_shift, 0.0);
+  bench.key('A');
+  EXPECT_NE(bench.work().message().find("is 0 here"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace psm::test
