@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,16 @@ struct LightCase {
 /// The two-dimensional error model at n, f, phi, theta, rho (GMNPR 2007, section 2); nothing where the technique has no rho.
 struct ModelError {
   double F_near = 0, F_far = 0, F_max = 0, E_max_line = 0, E_max_frustum = 0, storage_factor = 0;
+};
+
+/// A point that the eye sees, on a surface: world space, unit normal on the side that is seen.
+struct SurfacePoint {
+  glm::dvec3 position{0.0}, normal{0.0};
+};
+
+/// The texel size m in pixels over the visible points that face the light (FORMULAS: largest extent of a texel in the image).
+struct TexelStatistics {
+  double m_mean = 0, m_p50 = 0, m_p95 = 0, m_max = 0, undersampled_fraction = 0;  // undersampled: m > 1
 };
 
 struct Analysis {
@@ -62,13 +73,15 @@ struct Analysis {
       frustum_corners{};  // homogeneous, world: near then far, each (-,-) (+,-) (+,+) (-,+); far may have w = 0
 
   std::optional<ModelError> model_error;
-  bool worse_than_uniform = false;  // computed; the note says by which measure
+  std::optional<TexelStatistics> texels;  // asked for, not implied: whoever has visible points fills it in
+  bool worse_than_uniform = false;        // computed; the note says by which measure
 
   glm::dmat4 clip_from_world() const { return clip_from_view * view_from_world; }
 };
 
-/// Pure: same inputs, same build, same bits. Never fails on an experiment whose fields are in range.
-Analysis analyze(const Experiment& experiment, const Scene& scene);
+/// Pure: same inputs, same build, same bits. Never fails on an experiment whose fields are in range. `visible`: a few hundred
+/// points that the eye sees, spread evenly over the image, from whoever has them; without them, bodies stand in for surfaces.
+Analysis analyze(const Experiment& experiment, const Scene& scene, std::span<const SurfacePoint> visible = {});
 
 /// The contract's JSON, two-space indented; numbers round-trip, infinities are "inf" and "-inf", what does not exist is null.
 std::string analysis_to_json(const Analysis& analysis, const Scene& scene);

@@ -187,9 +187,10 @@ void set_cube(const Stages& s, Analysis& a) {
   a.cube_from_world = perspective(eye.tan_x, eye.tan_y, c.near, c.far + a.camera_shift) * eye.view_from_world();
 }
 
-void compare_with_uniform(const Stages& s, Analysis& a) {
+void compare_with_uniform(const Stages& s, Analysis& a, std::span<const SurfacePoint> visible) {
   if (!a.map_from_world || a.technique_used == Technique::uniform) return;
-  const std::vector<SurfacePoint> points = sample_receivers(s.view, a);
+  const std::vector<SurfacePoint> stand_ins = visible.empty() ? sample_receivers(s.view, a) : std::vector<SurfacePoint>();
+  const std::span<const SurfacePoint> points = visible.empty() ? stand_ins : visible;
   if (points.empty()) return;
   const auto uniform = fit_map<double>(s.frame, s.uniform, a.receivers_body.vertices, a.depth_body.vertices, s.light_in_scene);
   const double here = texel_percentile(points, *a.map_from_world, a, 0.95),
@@ -197,14 +198,15 @@ void compare_with_uniform(const Stages& s, Analysis& a) {
   if (!(here > there * (1 + 1e-9))) return;
   a.worse_than_uniform = true;
   note(a, "worse_than_uniform_texels",
-       "Worse than the uniform map: 95th percentile of the texel size m in pixels, estimated on surfaces all through "
-       "the receivers' body that face eye and light.",
+       "Worse than the uniform map: 95th percentile of the texel size m in pixels, " +
+           std::string(visible.empty() ? "estimated on surfaces all through the receivers' body that face eye and light."
+                                       : "over the visible points."),
        here, there);
 }
 
 }  // namespace
 
-Analysis analyze(const Experiment& experiment, const Scene& scene) {
+Analysis analyze(const Experiment& experiment, const Scene& scene, std::span<const SurfacePoint> visible) {
   Analysis a;
   a.experiment = experiment;
   a.notes = scene.notes;
@@ -230,7 +232,7 @@ Analysis analyze(const Experiment& experiment, const Scene& scene) {
   a.depth_body = clip(s.lit_scene, hull_with_light(receivers, s.light));
   fit_single_map(s, a, receivers);
   set_cube(s, a);
-  compare_with_uniform(s, a);
+  compare_with_uniform(s, a, visible);
   return a;
 }
 

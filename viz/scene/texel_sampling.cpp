@@ -42,7 +42,7 @@ std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis
   return points;
 }
 
-double texel_percentile(const std::vector<SurfacePoint>& points, const glm::dmat4& map_from_world, const Analysis& analysis,
+double texel_percentile(std::span<const SurfacePoint> points, const glm::dmat4& map_from_world, const Analysis& analysis,
                         double fraction) {
   std::vector<double> m;
   m.reserve(points.size());

@@ -10,16 +10,12 @@
 
 namespace psm {
 
-struct SurfacePoint {
-  glm::dvec3 position, normal;  // world space, unit normal
-};
-
 /// Along each of 16 x 9 view rays three points of R: where it enters, the middle, where it leaves. Normals halve the angle
 /// between the directions to the eye and to the light.
 std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis& analysis);
 
 /// Percentile (0 to 1) of the texel size m in pixels over the points; infinite where the receiver holds the light ray.
-double texel_percentile(const std::vector<SurfacePoint>& points, const glm::dmat4& map_from_world, const Analysis& analysis,
+double texel_percentile(std::span<const SurfacePoint> points, const glm::dmat4& map_from_world, const Analysis& analysis,
                         double fraction);
 
 }  // namespace psm

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The errors of a shadow map: its verdicts against ray-traced hard shadows, pixel by pixel, each error with its cause.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "measure/visible_image.h"
+
+namespace psm {
+
+/// The truth at a pixel. `away`: the triangle faces away from the light or lies outside a spot's cone, dark without any map.
+enum class Lit : std::uint8_t { unseen, away, dark, lit };
+
+/// What the eye pass read in the shadow map at a pixel.
+enum class MapVerdict : std::uint8_t { unseen, dark, lit, outside };
+
+/// Why map and truth differ at a pixel, in the order of the questions: outside the map; else within that pixel's own m (at least
+/// one pixel) of a place where the truth changes: resolution; else dark in the map only: acne; else lit in the map only: leak.
+enum class ErrorCause : std::uint8_t { none, outside, resolution, acne, leak };
+
+/// Rows top to bottom, as long as the image.
+std::vector<Lit> trace_light(const RayTracer& tracer, const VisibleImage& image, const Experiment& experiment);
+
+/// m in pixels of the image's own size; 0 where nothing is seen or the surface faces away, infinite where it holds the light ray.
+std::vector<float> texel_sizes(const VisibleImage& image, const std::vector<Lit>& truth, const Analysis& analysis);
+
+/// Over the pixels with m > 0; nothing where there are none. An infinite m counts as undersampled and as the largest.
+std::optional<TexelStatistics> texel_statistics(const std::vector<float>& m);
+
+/// Pixels that the truth calls dark or lit are compared; `verdicts` are what the shadow map said at the same pixels.
+std::vector<ErrorCause> find_errors(const std::vector<Lit>& truth, const std::vector<MapVerdict>& verdicts,
+                                    const std::vector<float>& m, int width, int height);
+
+struct ShadowError {
+  std::size_t compared = 0, wrongly_lit = 0, wrongly_dark = 0;  // pixels
+  std::array<std::size_t, 5> by_cause{};                        // indexed by ErrorCause
+  double fraction() const { return compared ? double(wrongly_lit + wrongly_dark) / double(compared) : 0.0; }
+};
+ShadowError count_errors(const std::vector<Lit>& truth, const std::vector<ErrorCause>& errors);
+
+}  // namespace psm
