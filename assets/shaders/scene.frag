@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // With MAY_DISCARD: cutoff textures and the cube view's limit; without, cards test depth before they shade. DEPTH_ONLY: no shading.
+// VERDICT: what the map says, as a number from 0 to 255 in red (MapVerdict: 1 dark, 2 lit, 3 outside the map).
 // Hemisphere light from above and one light with shadows. No fall-off with distance: shadows have to be read, not admired.
 in vec3 v_position;
 in vec3 v_normal;
@@ -27,7 +28,8 @@ uniform vec3 u_ground;       // what it fades to, sRGB
 
 out vec4 o_color;
 
-vec3 g_along_x, g_along_y;  // two directions in the surface
+vec3 g_along_x, g_along_y;    // two directions in the surface
+bool g_outside_map = false;  // the shadow test found no map that holds the point
 
 // Chosen so that a near-white floor (0.85) is #E8E8E8 in the light and #808080 in shadow, 3.2 to 1.
 const vec3 kSkyLight = vec3(0.250, 0.255, 0.262);
@@ -58,6 +60,7 @@ float shadow_test(vec3 position) {
       return texture(u_map, vec4(at.xy, float(i), clamp(at.z, 0.0, 1.0)));
     }
   }
+  g_outside_map = true;
   return 1.0;
 }
 
@@ -99,9 +102,14 @@ void main() {
 #else
   g_along_x = u_has_surface ? dFdx(v_position) : vec3(0.0);
   g_along_y = u_has_surface ? dFdy(v_position) : vec3(0.0);
+#ifdef VERDICT
+  float lit = shadow_test(v_position);
+  o_color = vec4((g_outside_map ? 3.0 : lit > 0.5 ? 2.0 : 1.0) / 255.0, 0.0, 0.0, 1.0);
+#else
   vec3 normal = v_normal / max(length(v_normal), 1e-20) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 ambient = mix(kGroundLight, kSkyLight, u_has_surface ? 0.5 + 0.5 * normal.y : 1.0);
   vec3 color = encode(clamp(albedo.rgb * (ambient + kLight * direct_light(normal)), 0.0, 1.0));
   o_color = vec4(mix(color, u_ground, fade), 1.0);
+#endif
 #endif
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "harness.h"
+#include "scene/light_angles.h"
 #include "ui/handles.h"
-#include "ui/light_angles.h"
 
 namespace psm::test {
 namespace {

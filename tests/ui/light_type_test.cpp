@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Another type of light starts where the light is.
 #include "harness.h"
+#include "scene/light_angles.h"
 #include "ui/field_widgets.h"
-#include "ui/light_angles.h"
 
 namespace psm::test {
 namespace {

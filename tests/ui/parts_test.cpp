@@ -7,8 +7,8 @@
 #include <set>
 
 #include "harness.h"
+#include "scene/light_angles.h"
 #include "ui/keys.h"
-#include "ui/light_angles.h"
 #include "ui/navigation.h"
 #include "ui/slider.h"
 

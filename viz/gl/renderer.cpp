@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "gl/gl_state.h"
@@ -110,6 +111,18 @@ Image Renderer::read_view(ViewId id) {
   const gl::StateGuard guard;
   const gl::ViewTarget& target = state_->target(id);
   return {target.size().x, target.size().y, target.read_top_to_bottom()};
+}
+
+std::vector<MapVerdict> Renderer::read_verdicts(const Analysis& analysis, int width, int height) {
+  const gl::StateGuard guard;
+  assert(glm::ivec2(width, height) == gl::allowed_size({width, height}));
+  const gl::PlainTarget target({width, height});  // one sample a pixel: a verdict has no shades
+  state_->scene_pass.draw_verdicts(analysis, state_->scene, state_->shadow_pass);
+  const std::vector<std::uint8_t> rgba = target.read_top_to_bottom();
+  std::vector<MapVerdict> verdicts(rgba.size() / 4);
+  for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] = MapVerdict(rgba[4 * i]);
+  gl::check_errors("read_verdicts");
+  return verdicts;
 }
 
 std::vector<float> Renderer::read_map_depth() {

@@ -46,8 +46,8 @@ class Renderer {
   /// What draw_view drew last for this id.
   Image read_view(ViewId id);
 
-  /// What the map that was drawn last says at each pixel of the eye's image, width x height, rows top to bottom: the raw comparison,
-  /// whichever way the surface faces the light.
+  /// What the map that was drawn last says at each pixel of the eye's image, width x height, rows top to bottom: the raw
+  /// comparison, whichever way the surface faces the light.
   std::vector<MapVerdict> read_verdicts(const Analysis& analysis, int width, int height);
 
   /// Depth in [0, 1] of layer 0 of the shadow map, rows bottom to top; for tests.

@@ -38,6 +38,7 @@ struct SceneUniforms {
   glm::vec2 spot_cosines{-2.0f};
   glm::vec4 light{0.0f};
   std::span<const glm::mat4> maps_from_local;
+  bool only_triangles = false;  // no lines, no points
 };
 
 void set_spot(SceneUniforms& to, const LightSettings& light) {
@@ -46,6 +47,16 @@ void set_spot(SceneUniforms& to, const LightSettings& light) {
   const double half = glm::radians(0.5 * light.cone_deg);
   to.spot_axis = glm::vec3(glm::normalize(to_target));
   to.spot_cosines = glm::vec2(std::cos(half), std::cos(half - std::min(kConeEdge, 0.2 * half)));
+}
+
+/// What does not depend on the picture.
+SceneUniforms shadow_uniforms(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map) {
+  SceneUniforms values;
+  values.receiver_bias = float(std::clamp(analysis.experiment.shadow.depth_bias, 0.0, 1.0));
+  values.light = unit_light(scene.local_from_world() * analysis.light);
+  values.maps_from_local = map.maps_from_local();
+  set_spot(values, analysis.experiment.light);
+  return values;
 }
 
 void use(Program& program, const SceneUniforms& values) {
@@ -66,8 +77,9 @@ void use(Program& program, const SceneUniforms& values) {
 }
 
 /// The batches that need to discard fragments, or those that do not.
-void draw_batches(Program& program, const SceneBuffers& scene, bool all_discard, bool discarding) {
+void draw_batches(Program& program, const SceneBuffers& scene, bool only_triangles, bool all_discard, bool discarding) {
   for (const Batch& batch : scene.batches()) {
+    if (only_triangles && batch.primitive != Primitive::triangles) continue;
     if ((all_discard || scene.material(batch).alpha_cutoff > 0.0f) != discarding) continue;
     program.set("u_has_surface", batch.primitive == Primitive::triangles ? 1 : 0);
     scene.bind_material(batch, program);
@@ -86,7 +98,7 @@ void draw_scene(std::array<Program, 2>& programs, const SceneUniforms& values, c
       if (sign < 0.0f && !projective) continue;
       program.set("u_sign", sign);
       glFrontFace(clockwise_front == (sign > 0.0f) ? GL_CW : GL_CCW);
-      draw_batches(program, scene, projective, discarding);
+      draw_batches(program, scene, values.only_triangles, projective, discarding);
     }
   }
 }
@@ -96,7 +108,9 @@ void draw_scene(std::array<Program, 2>& programs, const SceneUniforms& values, c
 ScenePass::ScenePass(const std::filesystem::path& shaders)
     : shading_{Program(shaders, "scene", "scene"), Program(shaders, "scene", "scene", "#define MAY_DISCARD\n")},
       depth_{Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n"),
-             Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n#define MAY_DISCARD\n")} {}
+             Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n#define MAY_DISCARD\n")},
+      verdicts_{Program(shaders, "scene", "scene", "#define VERDICT\n"),
+                Program(shaders, "scene", "scene", "#define VERDICT\n#define MAY_DISCARD\n")} {}
 
 void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map,
                      double scale, Theme theme) {
@@ -106,16 +120,12 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
   const auto cube = narrow(picture.cube_from_world * scene.world_from_local());
   if (!clip || (projective && !cube)) return;
 
-  SceneUniforms values;
+  SceneUniforms values = shadow_uniforms(analysis, scene, map);
   values.clip_from_local = *clip;
   values.cube_from_local = cube.value_or(glm::mat4(1.0f));
   values.cube_limit = projective ? float(picture.cube_limit) : 0.0f;
   values.point_size = float(kPointSize * scale);
-  values.receiver_bias = float(std::clamp(analysis.experiment.shadow.depth_bias, 0.0, 1.0));
   values.ground = ground_color(theme);
-  values.light = unit_light(scene.local_from_world() * analysis.light);
-  values.maps_from_local = map.maps_from_local();
-  set_spot(values, analysis.experiment.light);
 
   map.bind_for_comparison(1);
   glEnable(GL_DEPTH_TEST);
@@ -134,6 +144,18 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
   draw_scene(depth_, values, scene, projective, clockwise);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void ScenePass::draw_verdicts(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map) {
+  const glm::dmat4 clip_from_local = analysis.clip_from_world() * scene.world_from_local();
+  const auto clip = narrow(clip_from_local);
+  if (!clip) return;
+  SceneUniforms values = shadow_uniforms(analysis, scene, map);
+  values.clip_from_local = *clip;
+  values.only_triangles = true;
+  map.bind_for_comparison(1);
+  glEnable(GL_DEPTH_TEST);
+  draw_scene(verdicts_, values, scene, false, front_is_clockwise(clip_from_local));
 }
 
 MapPass::MapPass(const std::filesystem::path& shaders)

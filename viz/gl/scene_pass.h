@@ -21,8 +21,11 @@ class ScenePass {
   void draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map, double scale,
             Theme theme);
 
+  /// The eye's image, into the bound framebuffer: a MapVerdict in red where there is a triangle.
+  void draw_verdicts(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map);
+
  private:
-  std::array<Program, 2> shading_, depth_;  // each: without and with fragments that may be discarded
+  std::array<Program, 2> shading_, depth_, verdicts_;  // each: without and with fragments that may be discarded
 };
 
 class MapPass {

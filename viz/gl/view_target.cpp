@@ -14,6 +14,19 @@ GLint limit(GLenum name) {
   return value;
 }
 
+std::vector<std::uint8_t> read_rows(const Framebuffer& from, glm::ivec2 size) {
+  const std::size_t row = std::size_t(size.x) * 4;
+  std::vector<std::uint8_t> rgba(row * std::size_t(size.y));
+  if (rgba.empty()) return rgba;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.get());
+  glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  for (int top = 0, bottom = size.y - 1; top < bottom; ++top, --bottom) {
+    std::swap_ranges(rgba.begin() + std::ptrdiff_t(row) * top, rgba.begin() + std::ptrdiff_t(row) * (top + 1),
+                     rgba.begin() + std::ptrdiff_t(row) * bottom);
+  }
+  return rgba;
+}
+
 }  // namespace
 
 glm::ivec2 allowed_size(glm::ivec2 size) {
@@ -59,17 +72,23 @@ void ViewTarget::resolve_from(const MultisampleTarget& source) {
   glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-std::vector<std::uint8_t> ViewTarget::read_top_to_bottom() const {
-  const std::size_t row = std::size_t(size_.x) * 4;
-  std::vector<std::uint8_t> rgba(row * std::size_t(size_.y));
-  if (rgba.empty()) return rgba;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get());
-  glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-  for (int top = 0, bottom = size_.y - 1; top < bottom; ++top, --bottom) {
-    std::swap_ranges(rgba.begin() + std::ptrdiff_t(row) * top, rgba.begin() + std::ptrdiff_t(row) * (top + 1),
-                     rgba.begin() + std::ptrdiff_t(row) * bottom);
-  }
-  return rgba;
+std::vector<std::uint8_t> ViewTarget::read_top_to_bottom() const { return read_rows(framebuffer_, size_); }
+
+PlainTarget::PlainTarget(glm::ivec2 size) : size_(size) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  glBindRenderbuffer(GL_RENDERBUFFER, color_.get());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size.x, size.y);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.get());
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_.get());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size.x, size.y);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.get());
+  glBindRenderbuffer(GL_RENDERBUFFER, 0);
+  glViewport(0, 0, size.x, size.y);
+  const float zeros[4] = {}, far_end = 1.0f;
+  glClearBufferfv(GL_COLOR, 0, zeros);
+  glClearBufferfv(GL_DEPTH, 0, &far_end);
 }
+
+std::vector<std::uint8_t> PlainTarget::read_top_to_bottom() const { return read_rows(framebuffer_, size_); }
 
 }  // namespace psm::gl

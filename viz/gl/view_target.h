@@ -39,6 +39,18 @@ class ViewTarget {
   glm::ivec2 size_{0};
 };
 
+/// RGBA8 and depth with one sample a pixel, bound and cleared to zeros and the far end; for pictures whose pixels are numbers.
+class PlainTarget {
+ public:
+  explicit PlainTarget(glm::ivec2 size);
+  std::vector<std::uint8_t> read_top_to_bottom() const;
+
+ private:
+  Framebuffer framebuffer_;
+  Renderbuffer color_, depth_;
+  glm::ivec2 size_;
+};
+
 /// At least 1x1, at most what this context can draw to.
 glm::ivec2 allowed_size(glm::ivec2 size);
 

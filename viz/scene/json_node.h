@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON for writing: a tree of values in the order in which they were added. Private to viz/scene.
+// JSON for writing: a tree of values in the order in which they were added.
 #pragma once
 
 #include <glm/glm.hpp>

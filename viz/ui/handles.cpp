@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "math/projective.h"
-#include "ui/light_angles.h"
+#include "scene/light_angles.h"
 
 namespace psm {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/light_angles.h"
+#include "scene/light_angles.h"
 
 namespace psm {
 namespace {

@@ -8,9 +8,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "scene/light_angles.h"
 #include "ui/badge_bar.h"
 #include "ui/field_widgets.h"
-#include "ui/light_angles.h"
 #include "ui/numbers_pane.h"
 
 namespace psm {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/light_angles.h"
+#include "scene/light_angles.h"
 
 #include <cmath>
 
