@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "figure/plot.h"
+
+namespace psm {
+namespace {
+
+using glm::dvec2;
+
+constexpr double kLeft = 130, kRight = 250, kTop = 92, kBottom = 84;
+constexpr double kType = 20, kTitle = 27;
+constexpr double kPlotRight = kPlotWidth - kRight, kPlotBottom = kPlotHeight - kBottom;
+constexpr double kLineHeight = 1.2 * kType;
+
+std::string coordinate(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", value);
+  return text;
+}
+
+std::string tick_text(double value) {
+  char text[32];
+  const double size = std::abs(value);
+  if (size >= 1e6 || (size > 0 && size < 1e-4))
+    std::snprintf(text, sizeof text, "%.0e", value);
+  else
+    std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string color_text(std::uint32_t color) {
+  char text[16];
+  std::snprintf(text, sizeof text, "#%06X", color & 0xFFFFFFu);
+  return text;
+}
+
+/// One axis: values to pixels.
+class Scale {
+ public:
+  Scale(const PlotAxis& axis, double low, double high, double from, double to) : log_(axis.log), from_(from), to_(to) {
+    if (!(low <= high)) low = log_ ? 1 : 0, high = log_ ? 10 : 1;
+    const double margin = high > low ? 0.04 : 0.5;
+    if (log_) {
+      const double ratio = high / low > 1.01 ? std::pow(high / low, margin) : 1.5;
+      low_ = low / ratio, high_ = high * ratio;
+    } else {
+      const double extra = high > low ? margin * (high - low) : std::max(0.5, std::abs(low) * margin);
+      low_ = low - extra, high_ = high + extra;
+    }
+  }
+  double at(double value) const {
+    const double t = log_ ? std::log(value / low_) / std::log(high_ / low_) : (value - low_) / (high_ - low_);
+    return from_ + t * (to_ - from_);
+  }
+  bool shows(double value) const { return std::isfinite(value) && (!log_ || value > 0); }
+  double low() const { return low_; }
+  double high() const { return high_; }
+
+ private:
+  bool log_;
+  double from_, to_, low_ = 0, high_ = 1;
+};
+
+struct Frame {
+  Scale x, y;
+  bool shows(const dvec2& p) const { return x.shows(p.x) && y.shows(p.y); }
+  dvec2 at(const dvec2& p) const { return {x.at(p.x), y.at(p.y)}; }
+};
+
+Frame frame_of(const Plot& plot) {
+  double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+  const auto add = [&](int i, double v, bool log) {
+    if (!std::isfinite(v) || (log && !(v > 0))) return;
+    low[i] = std::min(low[i], v), high[i] = std::max(high[i], v);
+  };
+  for (const PlotCurve& curve : plot.curves)
+    for (const dvec2& p : curve.points) add(0, p.x, plot.x.log), add(1, p.y, plot.y.log);
+  for (const double tick : plot.x.ticks) add(0, tick, plot.x.log);
+  for (const PlotLevel& level : plot.levels) add(1, level.y, plot.y.log);
+  return {Scale(plot.x, low[0], high[0], kLeft, kPlotRight), Scale(plot.y, low[1], high[1], kPlotBottom, kTop)};
+}
+
+std::string text_at(double x, double y, const std::string& text, const std::string& attributes) {
+  return "<text x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" " + attributes + ">" + xml_text(text) + "</text>\n";
+}
+
+std::string line(const dvec2& a, const dvec2& b, const std::string& attributes) {
+  return "<line x1=\"" + coordinate(a.x) + "\" y1=\"" + coordinate(a.y) + "\" x2=\"" + coordinate(b.x) + "\" y2=\"" +
+         coordinate(b.y) + "\" " + attributes + "/>\n";
+}
+
+constexpr const char* kGrid = "stroke=\"#DDDDDD\" stroke-width=\"1.5\"";
+constexpr const char* kAxis = "stroke=\"#444444\" stroke-width=\"1.5\"";
+
+std::vector<double> ticks_of(const PlotAxis& axis, const Scale& scale, int most) {
+  return axis.ticks.empty() ? plot_ticks(scale.low(), scale.high(), axis.log, most) : axis.ticks;
+}
+
+/// 2 to 9 between decades, unlabelled.
+std::vector<double> minor_ticks(const PlotAxis& axis, const Scale& scale) {
+  std::vector<double> ticks;
+  if (!axis.log || !axis.ticks.empty() || scale.high() / scale.low() > 1e6) return ticks;
+  for (int e = int(std::floor(std::log10(scale.low()))); e <= int(std::ceil(std::log10(scale.high()))); ++e)
+    for (int digit = 2; digit <= 9; ++digit) {
+      const double tick = digit * std::pow(10.0, e);
+      if (tick > scale.low() && tick < scale.high()) ticks.push_back(tick);
+    }
+  return ticks;
+}
+
+std::string axes_svg(const Plot& plot, const Frame& frame) {
+  std::string svg;
+  for (const double tick : ticks_of(plot.x, frame.x, int((kPlotRight - kLeft) / 90))) {
+    const double x = frame.x.at(tick);
+    svg += line({x, kTop}, {x, kPlotBottom}, kGrid);
+    svg += text_at(x, kPlotBottom + 1.25 * kType, tick_text(tick), "text-anchor=\"middle\"");
+  }
+  for (const double tick : ticks_of(plot.y, frame.y, int((kPlotBottom - kTop) / 55))) {
+    const double y = frame.y.at(tick);
+    svg += line({kLeft, y}, {kPlotRight, y}, kGrid);
+    svg += text_at(kLeft - 10, y + 0.35 * kType, tick_text(tick), "text-anchor=\"end\"");
+  }
+  for (const double tick : minor_ticks(plot.x, frame.x))
+    svg += line({frame.x.at(tick), kPlotBottom}, {frame.x.at(tick), kPlotBottom - 6}, kAxis);
+  for (const double tick : minor_ticks(plot.y, frame.y))
+    svg += line({kLeft, frame.y.at(tick)}, {kLeft + 6, frame.y.at(tick)}, kAxis);
+  svg += line({kLeft, kPlotBottom}, {kPlotRight, kPlotBottom}, kAxis) + line({kLeft, kTop}, {kLeft, kPlotBottom}, kAxis);
+  svg += text_at((kLeft + kPlotRight) / 2, kPlotHeight - 22, plot.x.title, "text-anchor=\"middle\"");
+  const double middle = (kTop + kPlotBottom) / 2;
+  svg += text_at(36, middle, plot.y.title, "text-anchor=\"middle\" transform=\"rotate(-90 36 " + coordinate(middle) + ")\"");
+  return svg;
+}
+
+/// The stretches of the curve that can be shown.
+std::vector<std::vector<dvec2>> stretches(const PlotCurve& curve, const Frame& frame) {
+  std::vector<std::vector<dvec2>> parts(1);
+  for (const dvec2& p : curve.points) {
+    if (frame.shows(p))
+      parts.back().push_back(frame.at(p));
+    else if (!parts.back().empty())
+      parts.emplace_back();
+  }
+  if (parts.back().empty()) parts.pop_back();
+  return parts;
+}
+
+std::string curve_svg(const PlotCurve& curve, const Frame& frame) {
+  std::string svg;
+  const std::string color = color_text(curve.color);
+  for (const auto& part : stretches(curve, frame)) {
+    std::string points;
+    for (const dvec2& p : part) points += (points.empty() ? "" : " ") + coordinate(p.x) + "," + coordinate(p.y);
+    if (curve.width > 0 && part.size() > 1)
+      svg += "<polyline points=\"" + points + "\" fill=\"none\" stroke=\"" + color + "\" stroke-width=\"" +
+             coordinate(curve.width) + "\" stroke-linejoin=\"round\"" +
+             (curve.dash.empty() ? "" : " stroke-dasharray=\"" + curve.dash + "\"") + "/>\n";
+    if (!curve.markers && part.size() > 1) continue;
+    for (const dvec2& p : part)
+      svg += "<circle cx=\"" + coordinate(p.x) + "\" cy=\"" + coordinate(p.y) + "\" r=\"5\" fill=\"" + color +
+             "\" stroke=\"#FFFFFF\" stroke-width=\"1\"/>\n";
+  }
+  return svg;
+}
+
+struct Label {
+  const PlotCurve* curve;
+  dvec2 end;
+  double y;
+};
+
+/// In the order of the curves' ends, at least a line apart, as close to the ends as that allows.
+void spread(std::vector<Label>& labels) {
+  std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
+  for (std::size_t i = 1; i < labels.size(); ++i) labels[i].y = std::max(labels[i].y, labels[i - 1].y + kLineHeight);
+  double limit = kPlotBottom;
+  for (std::size_t i = labels.size(); i-- > 0; limit = labels[i].y - kLineHeight) labels[i].y = std::min(labels[i].y, limit);
+}
+
+std::string labels_svg(const Plot& plot, const Frame& frame) {
+  std::vector<Label> labels;
+  for (const PlotCurve& curve : plot.curves) {
+    const auto parts = stretches(curve, frame);
+    if (curve.label.empty() || parts.empty()) continue;
+    labels.push_back({&curve, parts.back().back(), parts.back().back().y});
+  }
+  spread(labels);
+  std::string svg;
+  for (const Label& label : labels) {
+    const std::string color = color_text(label.curve->color);
+    const dvec2 at{kPlotRight + 40, label.y};
+    svg +=
+        line(label.end + dvec2(7, 0), at - dvec2(6, 0), "stroke=\"" + color + "\" stroke-width=\"1.2\" stroke-dasharray=\"2 3\"");
+    svg += text_at(at.x, at.y + 0.35 * kType, label.curve->label, "font-weight=\"bold\" fill=\"" + color + "\"");
+  }
+  return svg;
+}
+
+std::string levels_svg(const Plot& plot, const Frame& frame) {
+  std::string svg;
+  for (const PlotLevel& level : plot.levels) {
+    const double y = frame.y.at(level.y);
+    svg += line({kLeft, y}, {kPlotRight, y}, "stroke=\"#222222\" stroke-width=\"2\" stroke-dasharray=\"2 5\"");
+    svg += text_at(kLeft + 12, y - 8, level.label, "fill=\"#222222\"");
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::string xml_text(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string plot_svg(const Plot& plot, bool standalone) {
+  const Frame frame = frame_of(plot);
+  const std::string size = std::to_string(kPlotWidth) + " " + std::to_string(kPlotHeight);
+  std::string svg = standalone ? "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" : "";
+  svg += "<svg viewBox=\"0 0 " + size + "\" role=\"img\" aria-label=\"" + xml_text(plot.title) +
+         "\" font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" font-size=\"" + coordinate(kType) + "\" fill=\"#222222\"";
+  if (standalone)
+    svg += " xmlns=\"http://www.w3.org/2000/svg\" width=\"" + std::to_string(kPlotWidth) + "\" height=\"" +
+           std::to_string(kPlotHeight) + "\"";
+  svg += ">\n<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>\n";
+  svg += text_at(kLeft, 36, plot.title, "font-size=\"" + coordinate(kTitle) + "\" font-weight=\"bold\"");
+  svg += text_at(kLeft, 66, plot.subtitle, "fill=\"#444444\" font-size=\"18\"");
+  svg += axes_svg(plot, frame) + levels_svg(plot, frame);
+  for (const PlotCurve& curve : plot.curves) svg += curve_svg(curve, frame);
+  return svg + labels_svg(plot, frame) + "</svg>\n";
+}
+
+}  // namespace psm

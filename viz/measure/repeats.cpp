@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/repeats.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace psm {
+namespace {
+
+double quantile(std::vector<double>& values, double fraction) {
+  assert(!values.empty());
+  const auto at = values.begin() + std::ptrdiff_t(fraction * double(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+double median(std::vector<double> values) { return quantile(values, 0.5); }
+
+double relative_spread(std::vector<double> values) {
+  const double low = quantile(values, 0.25), middle = quantile(values, 0.5), high = quantile(values, 0.75);
+  return middle > 0 ? (high - low) / middle : 0.0;
+}
+
+void Repeats::add(const FrameTimes& times) {
+  runs_.push_back(times);
+  spent_ += times.all() + times.bodies;
+}
+
+bool Repeats::enough() const {
+  if (count() < limits_.fewest) return false;
+  return count() >= limits_.most || spent_ >= limits_.seconds || spread() <= limits_.spread;
+}
+
+FrameTimes Repeats::medians() const {
+  FrameTimes m;
+  for (const auto stage : {&FrameTimes::analysis, &FrameTimes::bodies, &FrameTimes::map, &FrameTimes::map_gpu, &FrameTimes::eye,
+                           &FrameTimes::eye_gpu})
+    m.*stage = median(of(stage));
+  return m;
+}
+
+}  // namespace psm
