@@ -13,6 +13,7 @@
 #include "app/render.h"
 #include "app/window.h"
 #include "figure/png.h"
+#include "measure/shadow_error.h"
 #include "scene/analysis.h"
 #include "scene/experiment_file.h"
 
@@ -129,6 +130,27 @@ int draw_without_display(const LoadedExperiment& loaded) {
   return code == kDone ? finish_printing(print(out.string() + "\n")) : code;
 }
 
+bool rays_fit(const ImageSettings& image) { return std::int64_t(image.width) * image.height <= kMostPixels; }
+
+InputError too_many_rays(const ImageSettings& image) {
+  return {"image: --texels traces a ray for each of its " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+          " pixels; allowed: up to " + std::to_string(kMostPixels) + " pixels"};
+}
+
+/// What the eye sees is traced, once coarsely for the analysis itself and once at every pixel for the statistics.
+Analysis analyze_with_texels(const LoadedExperiment& loaded) {
+  const RayTracer tracer(loaded.scene);
+  Analysis analysis = analyze(loaded.experiment, loaded.scene, visible_points(tracer, loaded.experiment));
+  const ImageSettings& size = loaded.experiment.image;
+  const VisibleImage image = see(tracer, loaded.experiment, size.width, size.height);
+  const std::vector<Lit> truth = trace_light(tracer, image, loaded.experiment);
+  analysis.texels = texel_statistics(texel_sizes(image, truth, analysis));
+  if (!analysis.texels)
+    analysis.notes.push_back(
+        {"texels_none", "No pixel shows a surface that faces the light: there are no texel sizes.", std::nullopt, std::nullopt});
+  return analysis;
+}
+
 }  // namespace
 
 std::string view_names() {
@@ -155,9 +177,8 @@ int show_window(const ExperimentArguments& arguments) {
 int print_analysis(const ExperimentArguments& arguments, bool texels) {
   const auto loaded = load(arguments);
   if (!loaded) return bad_input(loaded.error());
-  Analysis analysis = analyze(loaded->experiment, loaded->scene);
-  if (texels)
-    analysis.notes.push_back({"texels_not_computed", "Texel statistics are not built yet.", std::nullopt, std::nullopt});
+  if (texels && !rays_fit(loaded->experiment.image)) return bad_input(too_many_rays(loaded->experiment.image));
+  const Analysis analysis = texels ? analyze_with_texels(*loaded) : analyze(loaded->experiment, loaded->scene);
   return finish_printing(print(analysis_to_json(analysis, loaded->scene)));
 }
 

@@ -151,7 +151,7 @@ std::vector<std::string> techniques_that_keep_the_rules() {
 INSTANTIATE_TEST_SUITE_P(Techniques, Analyze, ::testing::ValuesIn(techniques_that_keep_the_rules()));
 
 TEST(AnalyzeOutput, HasEveryMemberOfTheContract) {
-  const json analysis = json::parse(run_program({"analyze", "--texels"}).out);
+  const json analysis = json::parse(run_program({"analyze"}).out);
   for (const char* name :
        {"psmlab", "experiment", "light_case", "scene", "theta_deg", "phi_deg", "n", "f", "rho", "lambda", "camera_shift",
         "technique_used", "notes", "matrices", "vanishing_plane", "caster_body", "receivers_body", "error"})
@@ -166,7 +166,29 @@ TEST(AnalyzeOutput, HasEveryMemberOfTheContract) {
   std::string codes;
   for (const json& note : analysis["notes"]) codes += note["code"].get<std::string>() + " ";
   EXPECT_EQ(analysis["caster_body"].is_null(), codes.find("caster_body_not_computed") != std::string::npos);
-  EXPECT_EQ(analysis["error"]["texels"].is_null(), codes.find("texels_not_computed") != std::string::npos);
+}
+
+TEST(AnalyzeOutput, HasTexelStatisticsWhenAskedTo) {
+  const std::vector<std::string> small{"analyze", "--set", "image.width=64", "--set", "image.height=36"};
+  EXPECT_TRUE(json::parse(run_program(small).out)["error"]["texels"].is_null());
+  std::vector<std::string> asked = small;
+  asked.push_back("--texels");
+  const json texels = json::parse(run_program(asked).out)["error"]["texels"];
+  for (const char* name : {"m_mean", "m_p50", "m_p95", "m_max", "undersampled_fraction"})
+    EXPECT_TRUE(texels[name].is_number()) << name;
+  EXPECT_LE(texels["m_p50"], texels["m_p95"]);
+  EXPECT_LE(texels["m_p95"], texels["m_max"]);
+  EXPECT_GT(texels["m_p50"], 0.0);
+}
+
+TEST(AnalyzeOutput, SaysWhyThereAreNoTexelStatistics) {
+  // From below, the ground's lit side is not to be seen.
+  const json analysis =
+      json::parse(run_program({"analyze", "ground", "--texels", "--set", "light.type=directional", "--set",
+                               "light.to_light=0,-1,0", "--set", "camera.position=0,900,0", "--set", "camera.target=0,901,1"})
+                      .out);
+  EXPECT_TRUE(analysis["error"]["texels"].is_null());
+  EXPECT_THAT(analysis["notes"].dump(), testing::HasSubstr("texels_none"));
 }
 
 TEST(AnalyzeOutput, ReadsBackAsTheSameExperiment) {

@@ -48,7 +48,8 @@ const std::vector<Quarantine>& quarantines() {
       {"Dear ImGui", std::regex("imgui.*"), std::regex("(viz/ui|app)/.*")},
       {"tinygltf", std::regex("tiny_gltf.*"), std::regex("viz/scene/.*\\.cpp")},
       {"nlohmann-json", std::regex("nlohmann/.*"), std::regex("viz/scene/.*\\.cpp")},
-      {"CGAL", std::regex("CGAL/.*"), std::regex("viz/geom/.*\\.cpp")},
+      {"CGAL", std::regex("CGAL/.*"), std::regex("viz/(geom/.*|measure/ray_engine_cgal)\\.cpp")},
+      {"Embree", std::regex("embree.*"), std::regex("viz/measure/.*\\.cpp")},
       {"CLI11", std::regex("CLI/.*"), std::regex("app/.*\\.cpp")},
       {"stb", std::regex("stb.*"), std::regex("viz/(scene|gl|figure)/.*\\.cpp")}};
   return list;
@@ -184,6 +185,10 @@ TEST(LayerRules, KeepLibrariesInTheirRooms) {
   EXPECT_EQ(faults("viz/scene/gltf.cpp", "nlohmann/json.hpp"), 0u);
   EXPECT_EQ(faults("viz/geom/body.h", "CGAL/Interval_nt.h"), 1u);
   EXPECT_EQ(faults("viz/geom/body.cpp", "CGAL/Interval_nt.h"), 0u);
+  EXPECT_EQ(faults("viz/measure/ray_engine_cgal.cpp", "CGAL/AABB_tree.h"), 0u);
+  EXPECT_EQ(faults("viz/measure/ray_tracer.cpp", "CGAL/AABB_tree.h"), 1u);
+  EXPECT_EQ(faults("viz/measure/ray_engine_embree.cpp", "embree3/rtcore.h"), 0u);
+  EXPECT_EQ(faults("viz/measure/ray_tracer.h", "embree3/rtcore.h"), 1u);
 }
 
 TEST(LayerRules, WantTheLicenceFirst) {

@@ -2,14 +2,17 @@
 // The size of a shadow-map texel in the image, from the analytic Jacobian.
 #pragma once
 
+#include <algorithm>
+
 #include "math/projective.h"
 
 namespace psm {
 
-/// m = largest extent of a texel in pixels = 1 / smallest singular value of J = d(texel)/d(pixel).
+/// m = largest extent of a texel in pixels = 1 / smallest singular value of J = d(texel)/d(pixel). `orientation`: where in the
+/// image that extent points, radians from the x axis towards the y axis (upwards), in (-pi/2, pi/2].
 template <class T>
 struct TexelFootprint {
-  T m = T(0), anisotropy = T(1), area = T(0);
+  T m = T(0), anisotropy = T(1), area = T(0), orientation = T(0);
 };
 
 namespace detail {
@@ -19,6 +22,15 @@ template <class T>
 Vec2<T> projected_derivative(const Mat4<T>& matrix, const Vec3<T>& x, const Vec3<T>& t) {
   const Vec4<T> p = matrix * Vec4<T>(x, 1), d = matrix * Vec4<T>(t, 0);
   return (Vec2<T>(d) * p.w - Vec2<T>(p) * d.w) / (p.w * p.w);
+}
+
+/// The direction of the larger singular value's left singular vector of [[a, b], [c, d]].
+template <class T>
+T major_axis_angle(T a, T b, T c, T d) {
+  const T largest = std::max(std::max(std::abs(a), std::abs(b)), std::max(std::abs(c), std::abs(d)));
+  if (!(largest > T(0))) return T(0);
+  a /= largest, b /= largest, c /= largest, d /= largest;
+  return std::atan2(T(2) * (a * c + b * d), (a - c) * (a + c) + (b - d) * (b + d)) / T(2);
 }
 
 }  // namespace detail
@@ -43,7 +55,8 @@ TexelFootprint<T> texel_footprint(const Mat4<T>& clip_from_world, const Mat4<T>&
   const T largest = (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
   const T inf = std::numeric_limits<T>::infinity();
   TexelFootprint<T> out;
-  if (det_texel == T(0)) return {inf, inf, inf};  // the receiver contains the light ray
+  out.orientation = detail::major_axis_angle(a, b, c, d);
+  if (det_texel == T(0)) return {inf, inf, inf, out.orientation};  // the receiver contains the light ray
   out.m = largest / std::abs(det_texel);
   out.area = std::abs(det_pixel / det_texel);
   const T smallest = std::abs(a * d - b * c) / largest;

@@ -12,8 +12,8 @@
 
 namespace psm {
 
-/// Built once per scene, which it does not need afterwards; then any thread may ask. Distances are reckoned in double on the scene's
-/// own triangles; Embree's floats, which only say which triangle is met, are relative to the scene's bounds.
+/// Built once per scene, which it does not need afterwards; then any thread may ask. Distances are reckoned in double on the
+/// scene's own triangles; Embree's floats, which only say which triangle is met, are relative to the scene's bounds.
 class RayTracer {
  public:
   enum class Engine { embree, cgal };
@@ -33,9 +33,9 @@ class RayTracer {
   /// World space, `direction` of any length but zero, hits at distances in [from, to].
   std::optional<Hit> nearest(const glm::dvec3& origin, const glm::dvec3& direction, double from, double to) const;
 
-  /// Whether anything but the surface itself lies between the point, as `nearest` found it, and the light (homogeneous, towards the
-  /// light). A triangle counts if point and light lie on either side of its plane, farther from it than rounding in double can
-  /// account for: no surface shadows itself or what continues it in its plane, however low the light stands.
+  /// Whether anything but the surface itself lies between the point, as `nearest` found it, and the light (homogeneous, towards
+  /// the light). A triangle counts if point and light lie on either side of its plane, farther from it than rounding in double
+  /// can account for: no surface shadows itself or what continues it in its plane, however low the light stands.
   bool shadowed(const SurfacePoint& point, const glm::dvec4& light) const;
 
   /// "Embree 3.13.5" or "CGAL 5.5.1 AABB tree".

@@ -77,7 +77,18 @@ JsonNode body_node(const ConvexBody& body) {
   return node;
 }
 
-JsonNode error_node(const std::optional<ModelError>& error) {
+JsonNode texels_node(const std::optional<TexelStatistics>& texels) {
+  if (!texels) return JsonNode();
+  JsonNode node = JsonNode::object();
+  node["m_mean"] = texels->m_mean;
+  node["m_p50"] = texels->m_p50;
+  node["m_p95"] = texels->m_p95;
+  node["m_max"] = texels->m_max;
+  node["undersampled_fraction"] = texels->undersampled_fraction;
+  return node;
+}
+
+JsonNode error_node(const std::optional<ModelError>& error, const std::optional<TexelStatistics>& texels) {
   JsonNode node = JsonNode::object();
   const auto member = [&](const char* name, double ModelError::*value) {
     node[name] = error ? JsonNode((*error).*value) : JsonNode();
@@ -88,7 +99,7 @@ JsonNode error_node(const std::optional<ModelError>& error) {
   member("E_max_line", &ModelError::E_max_line);
   member("E_max_frustum", &ModelError::E_max_frustum);
   member("storage_factor", &ModelError::storage_factor);
-  node["texels"] = JsonNode();
+  node["texels"] = texels_node(texels);
   return node;
 }
 
@@ -139,7 +150,7 @@ std::string analysis_to_json(const Analysis& analysis, const Scene& scene) {
   root["vanishing_plane"] = analysis.vanishing_plane ? JsonNode(*analysis.vanishing_plane) : JsonNode();
   root["caster_body"] = body_node(analysis.caster_body);
   root["receivers_body"] = body_node(analysis.receivers_body);
-  root["error"] = error_node(analysis.model_error);
+  root["error"] = error_node(analysis.model_error, analysis.texels);
   add_nan_notes(root.nan_paths(), notes);
   root["notes"] = notes_node(notes);
   return root.to_text() + "\n";

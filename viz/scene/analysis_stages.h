@@ -8,10 +8,9 @@
 #include "geom/frustum.h"
 #include "math/shadow_map.h"
 #include "scene/analysis.h"
+#include "scene/eye_and_light.h"
 
 namespace psm {
-
-constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
 
 inline void note(Analysis& a, std::string code, std::string text, std::optional<double> value = {},
                  std::optional<double> limit = {}) {

@@ -12,11 +12,6 @@ namespace {
 
 using glm::dmat4, glm::dvec3, glm::dvec4;
 
-ViewFrame camera_frame(const Experiment& x) {
-  const double tan_y = std::tan(x.camera.vertical_fov_deg * kRadiansPerDegree / 2);
-  return view_frame(x.camera.position, x.camera.target - x.camera.position, x.camera.up, tan_y * x.image.aspect(), tan_y);
-}
-
 void set_camera(Stages& s, Analysis& a) {
   const CameraSettings& c = s.x.camera;
   s.view = camera_frame(s.x);
@@ -34,9 +29,8 @@ void set_camera(Stages& s, Analysis& a) {
 
 void set_light_case(Stages& s, Analysis& a) {
   const LightSettings& l = s.x.light;
-  const bool directional = l.type == LightType::directional;
-  a.light = directional ? dvec4(l.to_light, 0) : dvec4(l.position, 1);
-  s.light = directional ? dvec4(safe_normalize(l.to_light), 0) : a.light;
+  a.light = homogeneous_light(l);
+  s.light = l.type == LightType::directional ? dvec4(safe_normalize(l.to_light), 0) : a.light;
   const auto c = classify_light(a.light, s.view.eye, s.view.forward);
   LightCase& out = a.light_case;
   out.world = l.type;

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "math/texel_footprint.h"
-
 namespace psm {
 namespace {
 
@@ -23,7 +21,31 @@ bool ray_inside(const ConvexBody& body, const glm::dvec3& origin, const glm::dve
   return enter <= leave && std::isfinite(leave);
 }
 
+/// The one of six maps that looks the point's way: it has the largest w there.
+const glm::dmat4& map_of(const std::array<glm::dmat4, 6>& maps, const glm::dvec3& position) {
+  const auto w = [&](const glm::dmat4& map) { return glm::dot(row(map, 3), glm::dvec4(position, 1)); };
+  return *std::max_element(maps.begin(), maps.end(), [&](const auto& a, const auto& b) { return w(a) < w(b); });
+}
+
+TexelFootprint<double> footprint_in(const glm::dmat4& map_from_world, const Analysis& analysis, const SurfacePoint& p,
+                                    glm::ivec2 pixels) {
+  return texel_footprint<double>(analysis.clip_from_world(), map_from_world, p.position, p.normal, pixels.x, pixels.y,
+                                 analysis.experiment.shadow.resolution);
+}
+
+glm::ivec2 pixels_of(const Analysis& analysis) { return {analysis.experiment.image.width, analysis.experiment.image.height}; }
+
 }  // namespace
+
+TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint& point) {
+  return footprint_at(analysis, point, pixels_of(analysis));
+}
+
+TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint& point, glm::ivec2 pixels) {
+  const glm::dmat4& map =
+      analysis.map_from_world ? *analysis.map_from_world : map_of(*analysis.cube_maps_from_world, point.position);
+  return footprint_in(map, analysis, point, pixels);
+}
 
 std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis& analysis) {
   constexpr int columns = 16, rows = 9;
@@ -46,12 +68,7 @@ double texel_percentile(std::span<const SurfacePoint> points, const glm::dmat4& 
                         double fraction) {
   std::vector<double> m;
   m.reserve(points.size());
-  const Experiment& x = analysis.experiment;
-  const glm::dmat4 clip_from_world = analysis.clip_from_world();
-  for (const SurfacePoint& p : points)
-    m.push_back(texel_footprint<double>(clip_from_world, map_from_world, p.position, p.normal, x.image.width, x.image.height,
-                                        x.shadow.resolution)
-                    .m);
+  for (const SurfacePoint& p : points) m.push_back(footprint_in(map_from_world, analysis, p, pixels_of(analysis)).m);
   const auto at = m.begin() + std::ptrdiff_t(fraction * double(m.size() - 1));
   std::nth_element(m.begin(), at, m.end());
   return *at;

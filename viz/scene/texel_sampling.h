@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texel sizes where nobody has visible points: small surfaces all through R that face eye and light alike, seen through a coarse
-// grid of pixels.
+// Texel sizes on surfaces; and, where nobody has visible points, stand-ins for them: small surfaces all through R that face eye
+// and light alike, seen through a coarse grid of pixels.
 #pragma once
 
 #include <vector>
 
 #include "geom/frustum.h"
+#include "math/texel_footprint.h"
 #include "scene/analysis.h"
 
 namespace psm {
@@ -13,6 +14,11 @@ namespace psm {
 /// Along each of 16 x 9 view rays three points of R: where it enters, the middle, where it leaves. Normals halve the angle
 /// between the directions to the eye and to the light.
 std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis& analysis);
+
+/// The footprint of the texel at a surface point, in pixels of an image of `pixels` (the experiment's own, unless given): of the
+/// single map, or of that one of the six that the point lies in.
+TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint& point);
+TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint& point, glm::ivec2 pixels);
 
 /// Percentile (0 to 1) of the texel size m in pixels over the points; infinite where the receiver holds the light ray.
 double texel_percentile(std::span<const SurfacePoint> points, const glm::dmat4& map_from_world, const Analysis& analysis,

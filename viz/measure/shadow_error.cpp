@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/shadow_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "measure/distance_transform.h"
+#include "measure/parallel_rows.h"
+#include "scene/eye_and_light.h"
+#include "scene/texel_sampling.h"
+
+namespace psm {
+namespace {
+
+/// More than rounding can account for: a light in the surface's own plane lights neither side.
+bool faces(const SurfacePoint& p, const glm::dvec4& light) {
+  const glm::dvec3 from = light.w * p.position;
+  const double rounding = 16 * epsilon<double>() * (glm::length(glm::dvec3(light)) + glm::length(from));
+  return glm::dot(p.normal, glm::dvec3(light) - from) > rounding;
+}
+
+bool in_cone(const LightSettings& light, const glm::dvec3& position) {
+  if (light.type != LightType::spot) return true;
+  const glm::dvec3 axis = light.target - light.position, ray = position - light.position;
+  const double angle = std::atan2(glm::length(glm::cross(axis, ray)), glm::dot(axis, ray));
+  return angle < light.cone_deg * kRadiansPerDegree / 2;
+}
+
+bool compared(Lit lit) { return lit == Lit::dark || lit == Lit::lit; }
+
+/// Squared distance in pixels from each pixel to the nearest one that has a 4-neighbour of another light; unseen pixels have
+/// none.
+std::vector<float> distances_to_change(const std::vector<Lit>& truth, int width, int height) {
+  std::vector<float> distance(truth.size(), std::numeric_limits<float>::infinity());
+  const auto meet = [&](std::size_t a, std::size_t b) {
+    if (truth[a] == Lit::unseen || truth[b] == Lit::unseen || (truth[a] == Lit::lit) == (truth[b] == Lit::lit)) return;
+    distance[a] = distance[b] = 0;
+  };
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
+      if (x + 1 < width) meet(i, i + 1);
+      if (y + 1 < height) meet(i, i + std::size_t(width));
+    }
+  }
+  spread_squared_distances(distance, width, height);
+  return distance;
+}
+
+}  // namespace
+
+std::vector<Lit> trace_light(const RayTracer& tracer, const VisibleImage& image, const Experiment& experiment) {
+  const glm::dvec4 light = homogeneous_light(experiment.light);
+  std::vector<Lit> truth(image.points.size(), Lit::unseen);
+  for_each_row(image.height, [&](int row) {
+    const std::size_t first = std::size_t(row) * std::size_t(image.width), end = first + std::size_t(image.width);
+    for (std::size_t i = first; i < end; ++i) {
+      if (!image.sees(i)) continue;
+      const SurfacePoint& p = image.points[i];
+      const bool away = !faces(p, light) || !in_cone(experiment.light, p.position);
+      truth[i] = away ? Lit::away : tracer.shadowed(p, light) ? Lit::dark : Lit::lit;
+    }
+  });
+  return truth;
+}
+
+std::vector<float> texel_sizes(const VisibleImage& image, const std::vector<Lit>& truth, const Analysis& analysis) {
+  std::vector<float> m(truth.size(), 0.0f);
+  for_each_row(image.height, [&](int row) {
+    const std::size_t first = std::size_t(row) * std::size_t(image.width), end = first + std::size_t(image.width);
+    for (std::size_t i = first; i < end; ++i)
+      if (compared(truth[i])) m[i] = float(footprint_at(analysis, image.points[i], {image.width, image.height}).m);
+  });
+  return m;
+}
+
+std::optional<TexelStatistics> texel_statistics(const std::vector<float>& m) {
+  std::vector<float> sizes;
+  std::copy_if(m.begin(), m.end(), std::back_inserter(sizes), [](float size) { return size > 0; });
+  if (sizes.empty()) return std::nullopt;
+  const auto percentile = [&](double fraction) {
+    const auto at = sizes.begin() + std::ptrdiff_t(fraction * double(sizes.size() - 1));
+    std::nth_element(sizes.begin(), at, sizes.end());
+    return double(*at);
+  };
+  const double count = double(sizes.size());
+  TexelStatistics out;
+  out.m_mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / count;
+  out.m_p50 = percentile(0.5);
+  out.m_p95 = percentile(0.95);
+  out.m_max = double(*std::max_element(sizes.begin(), sizes.end()));
+  out.undersampled_fraction = double(std::count_if(sizes.begin(), sizes.end(), [](float size) { return size > 1; })) / count;
+  return out;
+}
+
+std::vector<ErrorCause> find_errors(const std::vector<Lit>& truth, const std::vector<MapVerdict>& verdicts,
+                                    const std::vector<float>& m, int width, int height) {
+  const std::vector<float> squared = distances_to_change(truth, width, height);
+  std::vector<ErrorCause> errors(truth.size(), ErrorCause::none);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (!compared(truth[i]) || verdicts[i] == MapVerdict::unseen) continue;
+    const bool lit_by_map = verdicts[i] != MapVerdict::dark;  // what lies outside is drawn lit
+    if (lit_by_map == (truth[i] == Lit::lit)) continue;
+    const double reach = std::max(1.0, double(m[i]));
+    const bool near_change = std::isfinite(squared[i]) && double(squared[i]) <= reach * reach;
+    errors[i] = verdicts[i] == MapVerdict::outside ? ErrorCause::outside
+                : near_change                      ? ErrorCause::resolution
+                : lit_by_map                       ? ErrorCause::leak
+                                                   : ErrorCause::acne;
+  }
+  return errors;
+}
+
+ShadowError count_errors(const std::vector<Lit>& truth, const std::vector<ErrorCause>& errors) {
+  ShadowError out;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (compared(truth[i])) ++out.compared;
+    ++out.by_cause[std::size_t(errors[i])];
+    if (errors[i] != ErrorCause::none) ++(truth[i] == Lit::dark ? out.wrongly_lit : out.wrongly_dark);
+  }
+  return out;
+}
+
+}  // namespace psm

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An experiment's camera as a frame, and its light as a homogeneous point.
+#pragma once
+
+#include "geom/frustum.h"
+#include "scene/experiment.h"
+
+namespace psm {
+
+constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
+
+inline ViewFrame camera_frame(const Experiment& x) {
+  const double tan_y = std::tan(x.camera.vertical_fov_deg * kRadiansPerDegree / 2);
+  return view_frame(x.camera.position, x.camera.target - x.camera.position, x.camera.up, tan_y * x.image.aspect(), tan_y);
+}
+
+/// World space, towards the light, as given: (to_light, 0) or (position, 1).
+inline glm::dvec4 homogeneous_light(const LightSettings& light) {
+  return light.type == LightType::directional ? glm::dvec4(light.to_light, 0) : glm::dvec4(light.position, 1);
+}
+
+}  // namespace psm
