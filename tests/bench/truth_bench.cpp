@@ -182,7 +182,8 @@ void coarse_points(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(visible_points(tracer, s.experiment));
 }
 
-#define PSM_BENCH(call) call->ArgName("scene")->Arg(0)->Arg(1)->UseRealTime()->Unit(benchmark::kMillisecond)
+#define PSM_BENCH(call) \
+  call->ArgName("scene")->Arg(0)->Arg(1)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond)
 PSM_BENCH(BENCHMARK(bare_see));
 PSM_BENCH(BENCHMARK_CAPTURE(see_pass, Embree, RayTracer::Engine::embree));
 PSM_BENCH(BENCHMARK_CAPTURE(see_pass, CGAL, RayTracer::Engine::cgal));

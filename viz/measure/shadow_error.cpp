@@ -21,11 +21,11 @@ bool faces(const SurfacePoint& p, const glm::dvec4& light) {
   return glm::dot(p.normal, glm::dvec3(light) - from) > rounding;
 }
 
-bool in_cone(const LightSettings& light, const glm::dvec3& position) {
+/// A spot's cone, or all of space. `tangent`: of half the cone's angle, which is below 90 degrees.
+bool in_cone(const LightSettings& light, double tangent, const glm::dvec3& position) {
   if (light.type != LightType::spot) return true;
   const glm::dvec3 axis = light.target - light.position, ray = position - light.position;
-  const double angle = std::atan2(glm::length(glm::cross(axis, ray)), glm::dot(axis, ray));
-  return angle < light.cone_deg * kRadiansPerDegree / 2;
+  return glm::length(glm::cross(axis, ray)) < tangent * glm::dot(axis, ray);
 }
 
 bool compared(Lit lit) { return lit == Lit::dark || lit == Lit::lit; }
@@ -53,13 +53,14 @@ std::vector<float> distances_to_change(const std::vector<Lit>& truth, int width,
 
 std::vector<Lit> trace_light(const RayTracer& tracer, const VisibleImage& image, const Experiment& experiment) {
   const glm::dvec4 light = homogeneous_light(experiment.light);
+  const double tangent = std::tan(experiment.light.cone_deg * kRadiansPerDegree / 2);
   std::vector<Lit> truth(image.points.size(), Lit::unseen);
   for_each_row(image.height, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(image.width), end = first + std::size_t(image.width);
     for (std::size_t i = first; i < end; ++i) {
       if (!image.sees(i)) continue;
       const SurfacePoint& p = image.points[i];
-      const bool away = !faces(p, light) || !in_cone(experiment.light, p.position);
+      const bool away = !faces(p, light) || !in_cone(experiment.light, tangent, p.position);
       truth[i] = away ? Lit::away : tracer.shadowed(p, light) ? Lit::dark : Lit::lit;
     }
   });
