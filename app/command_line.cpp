@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/measure.h"
+#include "app/report.h"
 
 namespace psm {
 namespace {
@@ -24,6 +25,7 @@ struct Arguments {
   RenderArguments render;
   std::string scenes_folder;
   MeasureArguments measure;
+  ReportArguments report;
 };
 
 CLI::Option* add_experiment(CLI::App& app, ExperimentArguments& arguments) {
@@ -62,10 +64,35 @@ void add_render(CLI::App& app, RenderArguments& render) {
 }
 
 void add_measure(CLI::App& app, MeasureArguments& measure) {
+  add_experiment(app, measure.experiment);
+  app.add_option("--techniques", measure.techniques, "Comma-separated list, or all; without it, the experiment's own")
+      ->type_name("LIST");
+  app.add_option("--resolutions", measure.resolutions,
+                 "Comma-separated list of texels along a side of the map; without it, the experiment's own")
+      ->type_name("LIST");
+  app.add_option(
+         "--theta-deg", measure.theta_deg,
+         "Angles between the view direction and a directional light, which is turned in the plane of the two: A:B:STEP, or "
+         "a comma-separated list, in [0, 180]")
+      ->type_name("LIST");
+  app.add_option("--far", measure.far, "Comma-separated list of the camera's far distances")->type_name("LIST");
+  app.add_flag("--equal-error", measure.equal_error,
+               "Also looks for the smallest uniform map with no larger error, by bisection");
   app.add_flag("--hard-cases", measure.hard_cases,
-               "Runs the table of hard cases: float, double, exact, error in texels, verdict, time of each");
-  app.add_flag("--csv", measure.csv, "As CSV instead of aligned text");
-  app.add_flag("--json", measure.json, "As JSON instead of aligned text");
+               "Runs the table of hard cases instead: float, double, exact, error in texels, verdict, time of each");
+  app.add_flag("--csv", measure.csv, "As CSV");
+  app.add_flag("--json", measure.json, "As JSON; without either flag runs are printed as JSON, hard cases as aligned text");
+}
+
+void add_report(CLI::App& app, ReportArguments& report) {
+  app.add_option("--out", report.out, "The folder for the report; finished rows in it are kept, and not measured again")
+      ->type_name("DIR")
+      ->required();
+  app.add_flag("--quick", report.quick, "A small part of the study, in seconds instead of minutes");
+  app.add_option("--shard", report.shard, "Measures only the I-th of N parts of the study, for several machines")
+      ->type_name("I/N");
+  app.add_option("--merge", report.merge, "Measures nothing: puts the rows of these reports' folders together")
+      ->type_name("DIR ...");
 }
 
 /// CLI11's own message, in one line; it names the flag but not what is allowed.
@@ -89,8 +116,10 @@ int parse_and_run(int argc, char** argv) {
   add_curves(curves, arguments.curves);
   CLI::App& render = *app.add_subcommand("render", "Writes views as a PNG, without a display");
   add_render(render, arguments.render);
-  CLI::App& measured = *app.add_subcommand("measure", "Measures, and prints what it cost");
+  CLI::App& measured = *app.add_subcommand("measure", "Measures the error of shadow maps, and what they cost");
   add_measure(measured, arguments.measure);
+  CLI::App& reported = *app.add_subcommand("report", "Writes the speed-against-error study: rows, plots, one HTML page");
+  add_report(reported, arguments.report);
   CLI::App& scenes = *app.add_subcommand("scenes", "Lists the built-in scenes, or writes them as .glb");
   CLI::Option* write = scenes.add_option("--write", arguments.scenes_folder, "The folder to write them to")->type_name("DIR");
 
@@ -114,6 +143,7 @@ int parse_and_run(int argc, char** argv) {
   if (curves.parsed()) return print_curves(arguments.curves);
   if (render.parsed()) return render_views(arguments.render);
   if (measured.parsed()) return measure(arguments.measure);
+  if (reported.parsed()) return report(arguments.report);
   if (scenes.parsed()) return write->count() > 0 ? write_scenes(arguments.scenes_folder) : list_scenes();
   return show_window(arguments.experiment);
 }

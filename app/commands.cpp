@@ -22,38 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int bad_input(const InputError& error) {
-  complain(error.text);
-  return kBadInput;
-}
-
-int other_failure(const InputError& error) {
-  complain(error.text);
-  return kOtherFailure;
-}
-
-int finish_printing(bool printed) {
-  if (printed && std::fflush(stdout) == 0) return kDone;
-  return other_failure({std::string("standard output: cannot be written: ") + std::strerror(errno ? errno : EIO)});
-}
-
-InputError not_allowed(const char* flag, const std::string& value, const std::string& allowed) {
-  return {std::string(flag) + ": " + quoted_argument(value) + " is not allowed; allowed: " + allowed};
-}
-
-Result<LoadedExperiment> load(const ExperimentArguments& arguments) {
-  if (arguments.source && arguments.source->empty())
-    return InputError{
-        "EXPERIMENT: an empty name; allowed: an experiment file (.psm.json), a .gltf or .glb file, or a built-in scene's id"};
-  return load_experiment(arguments.source.value_or(""), arguments.overrides);
-}
-
 Result<std::vector<ViewId>> parse_views(const std::optional<std::string>& names) {
   std::vector<ViewId> views;
   if (!names) views.assign(std::begin(kAllViews), std::end(kAllViews));
   for (const std::string& name : names ? split(*names, ',') : std::vector<std::string>()) {
     const auto found = std::find_if(std::begin(kAllViews), std::end(kAllViews), [&](ViewId id) { return name == name_of(id); });
-    if (found == std::end(kAllViews)) return not_allowed("--view", name, "a list of: " + view_names());
+    if (found == std::end(kAllViews)) return flag_error("--view", name, "a list of: " + view_names());
     views.push_back(*found);
   }
   if (views.size() > 16) return InputError{"--view: " + std::to_string(views.size()) + " views; allowed: up to 16"};
@@ -63,7 +37,7 @@ Result<std::vector<ViewId>> parse_views(const std::optional<std::string>& names)
 Result<glm::ivec2> check_size(double width, double height, const std::string& shown) {
   const auto whole = [](double side) { return side >= 1 && side <= kLargestSide && std::trunc(side) == side; };
   if (!whole(width) || !whole(height) || width * height > double(kMostPixels))
-    return not_allowed("--size", shown, "WIDTHxHEIGHT in pixels, each in [1, 16384], together at most 67108864 pixels");
+    return flag_error("--size", shown, "WIDTHxHEIGHT in pixels, each in [1, 16384], together at most 67108864 pixels");
   return glm::ivec2(int(width), int(height));
 }
 
@@ -83,9 +57,9 @@ Result<RenderRequest> parse_request(const RenderArguments& arguments, const Imag
   if (!size) return size.error();
   request.size = *size;
   const auto scale = number_from_argument(arguments.scale);
-  if (!scale || !(*scale >= 0.25 && *scale <= 8)) return not_allowed("--scale", arguments.scale, "a number in [0.25, 8]");
+  if (!scale || !(*scale >= 0.25 && *scale <= 8)) return flag_error("--scale", arguments.scale, "a number in [0.25, 8]");
   request.scale = *scale;
-  if (arguments.theme != "light" && arguments.theme != "dark") return not_allowed("--theme", arguments.theme, "light or dark");
+  if (arguments.theme != "light" && arguments.theme != "dark") return flag_error("--theme", arguments.theme, "light or dark");
   request.theme = arguments.theme == "dark" ? Theme::dark : Theme::light;
   return request;
 }
@@ -93,10 +67,10 @@ Result<RenderRequest> parse_request(const RenderArguments& arguments, const Imag
 /// What is wrong with it as a target for a PNG, before anything is drawn.
 std::optional<InputError> check_png_name(const std::string& out) {
   const fs::path path = out;
-  if (path.extension() != ".png" || path.stem().empty()) return not_allowed("--out", out, "the name of a .png file");
+  if (path.extension() != ".png" || path.stem().empty()) return flag_error("--out", out, "the name of a .png file");
   std::error_code error;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (!fs::is_directory(folder, error)) return not_allowed("--out", out, "a .png file in an existing folder");
+  if (!fs::is_directory(folder, error)) return flag_error("--out", out, "a .png file in an existing folder");
   return std::nullopt;
 }
 
@@ -153,6 +127,28 @@ Analysis analyze_with_texels(const LoadedExperiment& loaded) {
 
 }  // namespace
 
+int bad_input(const InputError& error) {
+  complain(error.text);
+  return kBadInput;
+}
+
+int other_failure(const InputError& error) {
+  complain(error.text);
+  return kOtherFailure;
+}
+
+int finish_printing(bool printed) {
+  if (printed && std::fflush(stdout) == 0) return kDone;
+  return other_failure({std::string("standard output: cannot be written: ") + std::strerror(errno ? errno : EIO)});
+}
+
+Result<LoadedExperiment> load(const ExperimentArguments& arguments) {
+  if (arguments.source && arguments.source->empty())
+    return InputError{
+        "EXPERIMENT: an empty name; allowed: an experiment file (.psm.json), a .gltf or .glb file, or a built-in scene's id"};
+  return load_experiment(arguments.source.value_or(""), arguments.overrides);
+}
+
 std::string view_names() {
   std::string names;
   for (const ViewId id : kAllViews) names += (names.empty() ? "" : ", ") + std::string(name_of(id));
@@ -206,7 +202,7 @@ int list_scenes() {
 int write_scenes(const std::string& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
-  if (failed || folder.empty()) return bad_input(not_allowed("--write", folder, "a folder that exists or can be made"));
+  if (failed || folder.empty()) return bad_input(flag_error("--write", folder, "a folder that exists or can be made"));
   std::string written;
   for (const std::string& id : builtin_scene_ids()) {
     const fs::path file = fs::path(folder) / (id + ".glb");

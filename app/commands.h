@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/curves.h"
+#include "scene/experiment_file.h"
 
 namespace psm {
 
@@ -33,6 +34,14 @@ int write_scenes(const std::string& folder);
 
 /// "world, cube, ...": what --view takes.
 std::string view_names();
+
+/// Errors start with the file or the flag.
+Result<LoadedExperiment> load(const ExperimentArguments& arguments);
+
+/// Each says it in one line and returns the exit code: bad input; anything else; whether standard output took the result.
+int bad_input(const InputError& error);
+int other_failure(const InputError& error);
+int finish_printing(bool printed);
 
 /// Writes to standard output; false where that fails (a closed pipe).
 bool print(const std::string& text);

@@ -13,17 +13,13 @@ namespace {
 constexpr std::size_t kMostRows = 1000000;
 constexpr const char* kThetaAllowed = "A:B:STEP with A <= B and STEP > 0, or a comma-separated list, of degrees in [0, 180]";
 
-InputError not_allowed(const char* flag, const std::string& value, const std::string& allowed) {
-  return {std::string(flag) + ": " + quoted_argument(value) + " is not allowed; allowed: " + allowed};
-}
-
 /// A + i STEP, so that no error accumulates; the last one meets B where it misses it by rounding only.
 Result<std::vector<double>> theta_range(const std::string& text, const std::vector<std::string>& parts) {
   const auto first = number_from_argument(parts[0]), last = number_from_argument(parts[1]), step = number_from_argument(parts[2]);
   if (!first || !last || !step || !(*first >= 0 && *first <= *last && *last <= 180 && *step > 0 && std::isfinite(*step)))
-    return not_allowed("--theta-deg", text, kThetaAllowed);
+    return flag_error("--theta-deg", text, kThetaAllowed);
   const double steps = (*last - *first) / *step;
-  if (!(steps < double(kMostRows))) return not_allowed("--theta-deg", text, "at most 1000000 rows");
+  if (!(steps < double(kMostRows))) return flag_error("--theta-deg", text, "at most 1000000 rows");
   std::vector<double> angles;
   for (double i = 0; i <= steps * (1 + 1e-12); ++i) angles.push_back(std::min(*first + i * *step, *last));
   return angles;
@@ -33,15 +29,10 @@ Result<std::vector<double>> theta_list(const std::string& text) {
   std::vector<double> angles;
   for (const std::string& part : split(text, ',')) {
     const auto angle = number_from_argument(part);
-    if (!angle || !(*angle >= 0 && *angle <= 180)) return not_allowed("--theta-deg", text, kThetaAllowed);
+    if (!angle || !(*angle >= 0 && *angle <= 180)) return flag_error("--theta-deg", text, kThetaAllowed);
     angles.push_back(*angle);
   }
   return angles;
-}
-
-Result<std::vector<double>> parse_theta(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ':');
-  return parts.size() == 3 ? theta_range(text, parts) : theta_list(text);
 }
 
 constexpr Warp kAll[] = {Warp::uniform, Warp::lispsm,    Warp::lispsm_reference, Warp::glpr,
@@ -61,7 +52,7 @@ Result<std::vector<Warp>> parse_techniques(const std::optional<std::string>& nam
     const auto warp = warp_from_name(name);
     std::string allowed = "any of:";
     for (const Warp w : kAll) allowed += " " + std::string(csv_name(w));
-    if (!warp) return not_allowed("--techniques", name, allowed);
+    if (!warp) return flag_error("--techniques", name, allowed);
     warps.push_back(*warp);
   }
   return warps;
@@ -88,21 +79,26 @@ std::string csv_row(const Curves& curves, double theta_deg, Warp warp) {
 
 }  // namespace
 
+Result<std::vector<double>> parse_theta_deg(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ':');
+  return parts.size() == 3 ? theta_range(text, parts) : theta_list(text);
+}
+
 Result<Curves> parse_curves(const CurvesText& text) {
   Curves curves;
   const auto n = number_from_argument(text.n), f = number_from_argument(text.f), phi = number_from_argument(text.phi_deg);
-  if (!n || !(*n >= 1e-100 && *n <= 1e100)) return not_allowed("--n", text.n, "a number in [1e-100, 1e100]");
-  if (!f || !(*f > *n && *f <= 1e100)) return not_allowed("--f", text.f, "a number greater than --n, up to 1e100");
-  if (!phi || !(*phi > 0 && *phi < 90)) return not_allowed("--phi-deg", text.phi_deg, "a number in (0, 90)");
+  if (!n || !(*n >= 1e-100 && *n <= 1e100)) return flag_error("--n", text.n, "a number in [1e-100, 1e100]");
+  if (!f || !(*f > *n && *f <= 1e100)) return flag_error("--f", text.f, "a number greater than --n, up to 1e100");
+  if (!phi || !(*phi > 0 && *phi < 90)) return flag_error("--phi-deg", text.phi_deg, "a number in (0, 90)");
   curves.n = *n, curves.f = *f, curves.phi_deg = *phi;
-  auto theta = parse_theta(text.theta_deg);
+  auto theta = parse_theta_deg(text.theta_deg);
   if (!theta) return theta.error();
   curves.theta_deg = std::move(*theta);
   auto techniques = parse_techniques(text.techniques);
   if (!techniques) return techniques.error();
   curves.techniques = std::move(*techniques);
   if (curves.theta_deg.size() > kMostRows / curves.techniques.size())
-    return not_allowed("--theta-deg", text.theta_deg, "at most 1000000 rows");
+    return flag_error("--theta-deg", text.theta_deg, "at most 1000000 rows");
   return curves;
 }
 

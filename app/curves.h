@@ -24,6 +24,9 @@ struct Curves {
   std::vector<Warp> techniques;
 };
 
+/// "A:B:STEP" or "a,b,...": angles in [0, 180]. Errors start with --theta-deg.
+Result<std::vector<double>> parse_theta_deg(const std::string& text);
+
 /// Errors start with the flag.
 Result<Curves> parse_curves(const CurvesText& text);
 

@@ -37,6 +37,10 @@ std::string csv_number(double value) {
   return text;
 }
 
+InputError flag_error(const char* flag, const std::string& value, const std::string& allowed) {
+  return {std::string(flag) + ": " + quoted_argument(value) + " is not allowed; allowed: " + allowed};
+}
+
 std::string quoted_argument(const std::string& text) {
   constexpr std::size_t most = 80;
   return "'" + one_line(text.size() > most ? text.substr(0, most) + "..." : text) + "'";

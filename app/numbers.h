@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/result.h"
+
 namespace psm {
 
 /// Decimal notation, whatever the locale; nothing where the text is not a finite number as a whole.
@@ -16,6 +18,9 @@ std::vector<std::string> split(const std::string& text, char separator);
 
 /// 17 significant digits; "inf", "-inf", "nan".
 std::string csv_number(double value);
+
+/// "FLAG: 'VALUE' is not allowed; allowed: ...".
+InputError flag_error(const char* flag, const std::string& value, const std::string& allowed);
 
 /// An argument as a message shows it: one line, not too long, and visible where it is empty.
 std::string quoted_argument(const std::string& text);

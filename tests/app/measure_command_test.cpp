@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
+#include "measure/study_row.h"
 #include "run_program.h"
 
 namespace psm::testing {
@@ -29,16 +31,97 @@ TEST(Measure, PrintsTheHardCasesInThreeFormats) {
   EXPECT_FALSE(parsed["machine"]["cpu"].get<std::string>().empty());
 }
 
-TEST(Measure, RefusesWhatIsNotBuilt) {
-  for (const auto& arguments : std::vector<std::vector<std::string>>{
-           {"measure"}, {"measure", "--json"}, {"measure", "--hard-cases", "--csv", "--json"}}) {
+const std::vector<std::string> kSmall{"--set", "image.width=96", "--set", "image.height=54", "--set", "light.type=directional"};
+
+std::vector<std::string> small_measure(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"measure", "ground"};
+  arguments.insert(arguments.end(), kSmall.begin(), kSmall.end());
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(Measure, PrintsARowForEachRunWithErrorsAndTimes) {
+  const Outcome run = run_program(
+      small_measure({"--techniques", "uniform,gmnpr", "--resolutions", "128,256", "--theta-deg", "30:90:60", "--far", "50,100"}));
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["psmlab"], 1);
+  for (const char* member : {"cpu", "compiler", "opengl", "tracer"}) EXPECT_NE(json["machine"][member], "") << member;
+  ASSERT_EQ(json["rows"].size(), 16u);
+  for (const auto& row : json["rows"]) {
+    EXPECT_GT(row["compared"].get<double>(), 0);
+    EXPECT_EQ(row["wrongly_lit"].get<double>() + row["wrongly_dark"].get<double>(),
+              row["outside"].get<double>() + row["by_resolution"].get<double>() + row["acne"].get<double>() +
+                  row["leak"].get<double>());
+    EXPECT_GE(row["error_fraction"].get<double>(), 0);
+    EXPECT_LT(row["error_fraction"].get<double>(), 0.2);
+    for (const char* time : {"analysis_us", "bodies_us", "map_us", "eye_us"}) EXPECT_GT(row[time].get<double>(), 0) << time;
+    EXPECT_GE(row["timing_runs"].get<int>(), 5);
+    EXPECT_GT(row["m_p95"].get<double>(), row["m_p50"].get<double>());
+  }
+}
+
+/// The columns that do not depend on the machine.
+std::vector<std::vector<std::string>> errors_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> lines;
+  std::istringstream stream(csv);
+  for (std::string line; std::getline(stream, line);) {
+    if (lines.empty()) {
+      lines.emplace_back();
+      continue;
+    }
+    const auto row = row_from_csv(line);
+    EXPECT_TRUE(row) << line;
+    lines.emplace_back();
+    for (const StudyColumn& column : study_columns())
+      if (const auto number = std::get_if<double StudyRow::*>(&column.member); row && column.repeatable && number)
+        lines.back().push_back(column.name + " " + std::to_string((*row).**number));
+  }
+  return lines;
+}
+
+TEST(Measure, GivesTheSameErrorsEveryTime) {
+  const auto arguments = small_measure({"--techniques", "psm,gmnpr", "--resolutions", "128", "--equal-error", "--csv"});
+  const Outcome first = run_program(arguments), second = run_program(arguments);
+  ASSERT_EQ(first.code, 0) << first.err;
+  const auto errors = errors_of(first.out);
+  ASSERT_EQ(errors.size(), 3u);
+  EXPECT_GT(errors[1].size(), 20u);
+  EXPECT_EQ(errors, errors_of(second.out));
+}
+
+TEST(Measure, FindsTheUniformMapThatIsNoWorse) {
+  const auto rows = [](const std::vector<std::string>& more) {
+    return nlohmann::json::parse(run_program(small_measure(more)).out)["rows"];
+  };
+  const auto warped = rows({"--techniques", "gmnpr", "--resolutions", "128", "--theta-deg", "60", "--equal-error"})[0];
+  const double resolution = warped["equal_error_resolution"];
+  EXPECT_GT(resolution, 128);  // the warp is worth something here
+  const auto uniform =
+      rows({"--techniques", "uniform", "--resolutions", std::to_string(int(resolution)), "--theta-deg", "60"})[0];
+  EXPECT_LE(uniform["error_fraction"].get<double>(), warped["error_fraction"].get<double>());
+}
+
+TEST(Measure, RefusesWhatItCannotMeasure) {
+  const std::vector<std::pair<std::vector<std::string>, const char*>> bad{
+      {{"measure", "--hard-cases", "--csv", "--json"}, "--csv, --json"},
+      {{"measure", "ground", "--techniques", "psm,none"}, "--techniques: 'none'"},
+      {{"measure", "ground", "--resolutions", "512,5"}, "--resolutions"},
+      {{"measure", "ground", "--resolutions", ""}, "--resolutions"},
+      {{"measure", "ground", "--far", "0"}, "--far"},
+      {{"measure", "ground", "--theta-deg", "10:5:1"}, "--theta-deg"},
+      {{"measure", "chessboard", "--theta-deg", "10"}, "only with a directional light"},
+      {{"measure", "ground", "--theta-deg", "0:180:0.001"}, "runs; allowed: at most"},
+      {{"measure", "no_such_scene"}, "no_such_scene"}};
+  for (const auto& [arguments, expected] : bad) {
     const Outcome run = run_program(arguments);
-    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ(run.code, 2) << expected;
     EXPECT_EQ(run.out, "");
     EXPECT_TRUE(is_one_line(run.err)) << run.err;
-    EXPECT_THAT(run.err, HasSubstr("allowed:"));
+    EXPECT_THAT(run.err, HasSubstr(expected));
+    EXPECT_THAT(run.err, HasSubstr("allowed"));
   }
-  EXPECT_THAT(run_program({"measure"}).err, HasSubstr("only --hard-cases is built so far"));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct PlotCurve {
   std::string dash = {};           // SVG's stroke-dasharray; empty: solid
   double width = 3.0;              // 0: only markers
   bool markers = false;
+  double opacity = 1.0;  // of the line; its label is always opaque
 };
 
 struct PlotAxis {

@@ -156,7 +156,8 @@ std::string curve_svg(const PlotCurve& curve, const Frame& frame) {
     if (curve.width > 0 && part.size() > 1)
       svg += "<polyline points=\"" + points + "\" fill=\"none\" stroke=\"" + color + "\" stroke-width=\"" +
              coordinate(curve.width) + "\" stroke-linejoin=\"round\"" +
-             (curve.dash.empty() ? "" : " stroke-dasharray=\"" + curve.dash + "\"") + "/>\n";
+             (curve.dash.empty() ? "" : " stroke-dasharray=\"" + curve.dash + "\"") +
+             (curve.opacity < 1 ? " stroke-opacity=\"" + coordinate(curve.opacity) + "\"" : "") + "/>\n";
     if (!curve.markers && part.size() > 1) continue;
     for (const dvec2& p : part)
       svg += "<circle cx=\"" + coordinate(p.x) + "\" cy=\"" + coordinate(p.y) + "\" r=\"5\" fill=\"" + color +

@@ -30,6 +30,7 @@ std::vector<double> decades(double low, double high, const std::vector<double>& 
 std::vector<double> log_ticks(double low, double high, int most) {
   std::vector<double> ticks = decades(low, high, {1});
   if (ticks.size() < 3) ticks = decades(low, high, {1, 2, 5});
+  if (ticks.size() < 3) ticks = linear_ticks(low, high, most);
   if (int(ticks.size()) <= most) return ticks;
   std::vector<double> fewer;
   const std::size_t every = (ticks.size() + std::size_t(most) - 1) / std::size_t(most);

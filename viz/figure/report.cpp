@@ -64,8 +64,10 @@ void write_slab(Writer& w, const std::vector<StudyRow>& slab, const CitedTable& 
 
 void write_closed_forms(Writer& w, const ReportInput& in) {
   w.page.heading("Closed forms and the lower bound");
-  w.plot("closed_forms", closed_form_plot(in.closed_forms, in.closed_form_setting),
-         "GMNPR 2007's two-dimensional model against the maps that the analysis makes in three dimensions.");
+  w.plot(
+      "closed_forms", closed_form_plot(in.closed_forms, in.closed_form_setting),
+      "GMNPR 2007's two-dimensional model against the maps that the analysis makes in three dimensions, where the receivers fill "
+      "the frustum. The line of psm, which has no closed form there, joins its dots.");
   w.page.table(closed_form_table(in.closed_forms, in.closed_form_setting));
 }
 

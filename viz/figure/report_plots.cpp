@@ -14,7 +14,7 @@ std::string degrees(double theta_deg) { return shown(theta_deg, 4) + "\u00b0"; }
 
 /// What one row says in a plot of error against cost.
 glm::dvec2 cost_and_error(const StudyRow& row, bool against_time) {
-  return {against_time ? row.frame_us() / 1000 : row.texels, 100 * row.error_fraction};
+  return {against_time ? row.shadow_us() / 1000 : row.texels, 100 * row.error_fraction};
 }
 
 /// As steps: with this much to spend, that is the smallest error. A broad band behind the curves.
@@ -24,9 +24,9 @@ PlotCurve front_curve(const std::vector<StudyRow>& rows, bool against_time) {
     if (row.compared > 0) points.push_back(cost_and_error(row, against_time));
   PlotCurve curve;
   curve.label = "Pareto front";
-  curve.color = 0x8A8A8A;
-  curve.width = 9;
-  curve.dash = "1 0";
+  curve.color = 0x555555;
+  curve.opacity = 0.3;
+  curve.width = 10;
   for (const std::size_t i : pareto_front(points)) {
     if (!curve.points.empty()) curve.points.push_back({points[i].x, curve.points.back().y});
     curve.points.push_back(points[i]);
@@ -59,7 +59,7 @@ Plot error_plot(const std::vector<StudyRow>& rows, bool against_time) {
   plot.title = scene_of(rows) + (against_time ? ": error against time" : ": error against texels");
   plot.subtitle =
       "light at " + degrees(theta) + " to the view; each curve from the smallest map to the largest; " + conditions(here);
-  plot.x = {against_time ? "time of a frame: analysis, map and eye (ms)" : "texels of the map", true, {}};
+  plot.x = {against_time ? "time of the shadows: analysis and map (ms)" : "texels of the map", true, {}};
   plot.y = {"wrong pixels (%)", true, {}};
   plot.curves.push_back(front_curve(here, against_time));
   for (const std::string& technique : names_in(here, &StudyRow::technique)) {

@@ -22,7 +22,7 @@ class Repeats {
  public:
   struct Limits {
     int fewest = 5, most = 15;
-    double spread = 0.05, seconds = 1.0;  // enough: a spread that small, or that much time spent
+    double spread = 0.05, seconds = 0.4;  // enough: a spread that small, or that much time spent
   };
   explicit Repeats(const Limits& limits) : limits_(limits) {}
   void add(const FrameTimes& times);

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "app/assets.h"
+#include "app/command_line.h"
+#include "app/commands.h"
+#include "app/machine.h"
+#include "app/numbers.h"
+#include "app/progress.h"
+#include "app/study_runner.h"
+#include "figure/report.h"
+#include "measure/journal.h"
+
+namespace psm {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The I-th of N, from 0.
+struct Shard {
+  std::size_t index = 0, count = 1;
+  bool has(std::size_t run) const { return run % count == index; }
+};
+
+Result<Shard> parse_shard(const std::optional<std::string>& text) {
+  if (!text) return Shard{};
+  const std::vector<std::string> parts = split(*text, '/');
+  const auto index = number_from_argument(parts[0]), count = number_from_argument(parts.back());
+  const auto whole = [](double x) { return std::trunc(x) == x && x >= 1 && x <= 10000; };
+  if (parts.size() != 2 || !index || !count || !whole(*index) || !whole(*count) || *index > *count)
+    return flag_error("--shard", *text, "I/N with whole numbers 1 <= I <= N <= 10000");
+  return Shard{std::size_t(*index) - 1, std::size_t(*count)};
+}
+
+fs::path rows_folder(const fs::path& report) { return report / "rows"; }
+
+std::optional<InputError> make_folders(const std::string& out) {
+  std::error_code error;
+  if (!out.empty()) fs::create_directories(rows_folder(out), error);
+  if (out.empty() || error) return flag_error("--out", out, "a folder that exists or can be made");
+  return std::nullopt;
+}
+
+/// Rows of another study must not be mixed with this one's.
+std::optional<InputError> check_study(const std::vector<StudyRow>& rows, const std::string& out, const std::string& fingerprint) {
+  if (rows.empty() || rows[0].study == fingerprint) return std::nullopt;
+  return InputError{"--out: " + quoted_argument(out) + " holds rows of another study (" + rows[0].study + ", not " + fingerprint +
+                    "); allowed: a folder without rows, or the same command and version again"};
+}
+
+/// Measures what is missing of this shard. False where the user interrupted it.
+Result<bool> measure_missing(const Study& study, const Shard& shard, const std::string& out,
+                             const std::vector<StudyRow>& finished) {
+  std::set<std::size_t> have;
+  for (const StudyRow& row : finished) have.insert(std::size_t(row.run));
+  std::vector<std::size_t> missing;
+  for (std::size_t run = 0; run < study.runs.size(); ++run)
+    if (shard.has(run) && !have.count(run)) missing.push_back(run);
+  if (missing.empty()) return true;
+  auto runner = StudyRunner::create(study);
+  if (!runner) return runner.error();
+  const std::string name = std::to_string(shard.index + 1) + "-of-" + std::to_string(shard.count) + ".csv";
+  auto journal = Journal::open(rows_folder(out) / name);
+  if (!journal) return journal.error();
+  const Interruptible interruptible;
+  Progress progress(missing.size());
+  for (const std::size_t run : missing) {
+    if (Interruptible::asked()) return false;
+    if (auto error = journal->append((*runner)->measure(run))) return *error;
+    progress.finished_one();
+  }
+  return true;
+}
+
+Result<CitedTable> cited() {
+  const fs::path file = assets_folder() / "reference" / "one_scene.csv";
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return read_cited_table(text.str(), file.string());
+}
+
+std::optional<InputError> write_report(const std::vector<StudyRow>& rows, std::size_t planned, const std::string& out) {
+  ReportInput input;
+  input.rows = rows;
+  input.planned = planned;
+  std::vector<double> theta;
+  for (int degrees = 5; degrees <= 90; degrees += 5) theta.push_back(degrees);
+  input.closed_forms = compare_with_closed_forms(input.closed_form_setting, theta);
+  const auto table = cited();
+  if (!table) return table.error();
+  input.cited = *table;
+  input.hard_cases = measure_hard_cases();
+  input.machine = this_machine();
+  for (const ReportFile& file : make_report(input))
+    if (auto error = write_file_atomically(fs::path(out) / file.name, file.bytes)) return error;
+  return std::nullopt;
+}
+
+/// How many runs the study of these rows has: it is one that this program knows, or its rows would have been refused.
+std::size_t planned_runs(const std::vector<StudyRow>& rows) {
+  for (const bool quick : {false, true}) {
+    const Study study = default_study(quick);
+    if (!rows.empty() && fingerprint(study, PSMLAB_VERSION) == rows[0].study) return study.runs.size();
+  }
+  return rows.size();
+}
+
+int merge(const ReportArguments& arguments) {
+  if (arguments.quick || arguments.shard)
+    return bad_input({"--merge: with --quick or --shard; allowed: alone, since it measures nothing"});
+  std::vector<fs::path> folders;
+  for (const std::string& folder : arguments.merge) {
+    std::error_code error;
+    if (!fs::is_directory(rows_folder(folder), error))
+      return bad_input(flag_error("--merge", folder, "the folder of a report, with its rows"));
+    folders.push_back(rows_folder(folder));
+  }
+  folders.push_back(rows_folder(arguments.out));  // what is there already must belong to the same study
+  const auto rows = read_journals(folders);
+  if (!rows) return bad_input(rows.error());
+  if (auto error = make_folders(arguments.out)) return bad_input(*error);
+  // As a journal of the new report, so that it can be merged, and gone on with, in its turn.
+  std::string journal = csv_header();
+  for (const StudyRow& row : *rows) journal += csv_line(row);
+  if (auto error = write_file_atomically(rows_folder(arguments.out) / "merged.csv", journal)) return bad_input(*error);
+  if (auto error = write_report(*rows, planned_runs(*rows), arguments.out)) return bad_input(*error);
+  return finish_printing(print((fs::path(arguments.out) / "index.html").string() + "\n"));
+}
+
+int measure_and_write(const ReportArguments& arguments) {
+  const auto shard = parse_shard(arguments.shard);
+  if (!shard) return bad_input(shard.error());
+  const Study study = default_study(arguments.quick);
+  const auto finished = read_journals({rows_folder(arguments.out)});
+  if (!finished) return bad_input(finished.error());
+  if (auto error = check_study(*finished, arguments.out, fingerprint(study, PSMLAB_VERSION))) return bad_input(*error);
+  if (auto error = make_folders(arguments.out)) return bad_input(*error);
+  const auto complete = measure_missing(study, *shard, arguments.out, *finished);
+  if (!complete) return other_failure(complete.error());
+  const auto rows = read_journals({rows_folder(arguments.out)});
+  if (!rows) return bad_input(rows.error());
+  if (auto error = write_report(*rows, study.runs.size(), arguments.out)) return bad_input(*error);
+  if (!*complete) {
+    complain("interrupted: " + std::to_string(rows->size()) + " of " + std::to_string(study.runs.size()) +
+             " runs are measured; the same command goes on");
+    return kOtherFailure;
+  }
+  return finish_printing(print((fs::path(arguments.out) / "index.html").string() + "\n"));
+}
+
+}  // namespace
+
+int report(const ReportArguments& arguments) { return arguments.merge.empty() ? measure_and_write(arguments) : merge(arguments); }
+
+}  // namespace psm
