@@ -4,6 +4,7 @@ in vec2 v_map;
 uniform sampler2DArray u_map;
 uniform vec2 u_depth_range;
 uniform vec2 u_tiles;  // columns and rows of the sheet
+uniform bool u_empty;  // no map was drawn
 uniform vec3 u_ground;
 uniform float u_scale;
 out vec4 o_color;
@@ -32,6 +33,7 @@ ivec3 texel_at(vec2 at) {
 float stretched(float depth) { return (depth - u_depth_range.x) / max(u_depth_range.y - u_depth_range.x, 1e-7); }
 
 vec3 texel_color(vec2 at, vec3 empty) {
+  if (u_empty) return empty;
   float depth = texelFetch(u_map, texel_at(at), 0).r;
   return depth >= 1.0 ? empty : vec3(mix(kNear, kFar, clamp(stretched(depth), 0.0, 1.0)));
 }
@@ -39,6 +41,7 @@ vec3 texel_color(vec2 at, vec3 empty) {
 // How much the surroundings are farther than a texel: 0 on a plane, large along the edge of a caster. Without it, a caster close to
 // its receiver is hardly seen beside the receiver's own range of depths.
 float relief(vec2 at) {
+  if (u_empty) return 0.0;
   ivec3 texel = texel_at(at);
   float here = texelFetch(u_map, texel, 0).r;
   if (here >= 1.0) return 0.0;

@@ -50,18 +50,23 @@ float shift_to_centre(mat4 map, vec4 q, vec2 at) {
   return min(dot(slope, to_centre), 0.0) * u_receiver_bias;
 }
 
+// Lit if all maps that hold the point say so: one map, the one of six that looks its way, or the two of psm_two_maps, of which the
+// second lies wholly between the light and every receiver.
 float shadow_test(vec3 position) {
+  float lit = 1.0;
+  g_outside_map = u_map_count > 0;  // where no map was drawn nothing casts a shadow: that is an answer, too
   for (int i = 0; i < u_map_count; ++i) {
     vec4 q = u_map_from_local[i] * vec4(position, 1.0);
     // A little wider than the map, so that nothing falls between two of six.
     if (q.w > 0.0 && max(abs(q.x), abs(q.y)) <= 1.00001 * q.w) {
+      g_outside_map = false;
       vec3 at = 0.5 * q.xyz / q.w + 0.5;
-      at.z += shift_to_centre(u_map_from_local[i], q, at.xy);
-      return texture(u_map, vec4(at.xy, float(i), clamp(at.z, 0.0, 1.0)));
+      // Beyond the map's far end: anything in it is nearer to the light, and no surface can shadow itself.
+      if (at.z <= 1.0) at.z += shift_to_centre(u_map_from_local[i], q, at.xy);
+      lit = min(lit, texture(u_map, vec4(at.xy, float(i), clamp(at.z, 0.0, 1.0))));
     }
   }
-  g_outside_map = true;
-  return 1.0;
+  return lit;
 }
 
 float direct_light(vec3 normal) {

@@ -27,6 +27,7 @@ const std::pair<const char*, std::vector<std::string>> kExperiments[] = {
     {"ground_gmnpr", {"ground", "--set", "shadow.technique=gmnpr"}},
     {"point_behind_psm",
      {"chessboard", "--set", "light.type=point", "--set", "light.position=4,12,26", "--set", "shadow.technique=psm"}},
+    {"figure7_two_maps", {PSMLAB_TEST_DATA "/../assets/experiments/psm2002_figure7_two_maps.psm.json"}},
 };
 
 const Golden kGoldens[] = {
@@ -36,6 +37,7 @@ const Golden kGoldens[] = {
     {"ground_gmnpr", ViewId::map, 8, 0.003},        {"ground_gmnpr", ViewId::eye, 16, 0.003},
     {"point_behind_psm", ViewId::world, 16, 0.003}, {"point_behind_psm", ViewId::cube, 16, 0.003},
     {"point_behind_psm", ViewId::map, 8, 0.003},    {"point_behind_psm", ViewId::eye, 16, 0.003},
+    {"figure7_two_maps", ViewId::map, 8, 0.003},    {"figure7_two_maps", ViewId::eye, 16, 0.003},
 };
 
 std::vector<std::string> arguments_of(const Golden& golden, const std::string& out) {

@@ -264,6 +264,40 @@ TEST(MapView, SixMapsAreAContactSheet) {
   EXPECT_NEAR(picture.clip_from_list[0][0] * 900, picture.clip_from_list[1][1] * 600, 1e-9) << "cells are square";
 }
 
+TEST(MapView, TwoMapsStandSideBySideWithOneWindow) {
+  Experiment e;
+  e.camera = {{0, 1.5, 0}, {0, 1.5, -1}, {0, 1, 0}, 60, 0.5, 20};
+  e.light.to_light = {0.1, 0.4, 1};
+  e.shadow.technique = Technique::psm_two_maps;
+  const ViewPicture picture = view_of(ViewId::map, e);
+  EXPECT_EQ(picture.title, "Two maps 1024 x 1024");
+  EXPECT_LT(label_starting(picture.list, "w > 0").size(), 30u);
+  EXPECT_LT(label_starting(picture.list, "w < 0").size(), 30u);
+  std::vector<double> left, right;
+  for (const DrawLine& l : picture.list.lines) {
+    for (const dvec4& p : {l.a, l.b})
+      EXPECT_LE(std::max(std::abs(p.x), 2 * std::abs(p.y)), p.w * (1 + 1e-6)) << "within the sheet";
+    if (l.role == Role::receivers_body) (l.a.x + l.b.x < 0.0 ? left : right).push_back(l.a.x);
+  }
+  ASSERT_GE(left.size(), 3u);
+  ASSERT_EQ(left.size(), right.size());
+  for (std::size_t i = 0; i < left.size(); ++i) EXPECT_NEAR(left[i] + 1.0, right[i], 1e-12);
+}
+
+TEST(Titles, SayWhyTheMapIsNotTheOneAskedFor) {
+  Experiment e = experiment_with(LightType::point);
+  e.light.position = {0, 1, 0};
+  EXPECT_EQ(view_of(ViewId::map, e).title, "Six maps of 90°, not gmnpr: light in R");
+  EXPECT_EQ(view_of(ViewId::eye, e).title, "Eye, six maps, not gmnpr: light in R");
+  e = Experiment{};
+  e.camera.position = {0, 1, 4};
+  e.camera.target = {0, 1, 0};
+  e.light.to_light = {0, 0.01, 1};
+  e.shadow.technique = Technique::glpr;
+  EXPECT_EQ(view_of(ViewId::map, e).title, "Shadow map 1024 x 1024, uniform, not glpr");
+  EXPECT_EQ(view_of(ViewId::eye, e).title, "Eye, uniform, not glpr");
+}
+
 TEST(EyeView, LetterboxesToTheImage) {
   Experiment e;
   e.image = {1600, 800};

@@ -57,7 +57,50 @@ TEST_P(Shadows, casters_outside_the_depth_body_are_left_out) {
   EXPECT_NEAR(without_plate[4 * 8 + 4], without_plate[0], 1e-6);
   analysis.depth_body = {};  // nothing is visible
   renderer_->draw_shadow_map(analysis);
-  EXPECT_EQ(renderer_->read_map_depth()[0], 1.0f);
+  EXPECT_TRUE(renderer_->read_map_depth().empty());
+}
+
+TEST_P(Shadows, no_map_is_drawn_where_nothing_reaches_into_the_depth_body) {
+  Analysis analysis = lit_from_above(64);
+  EXPECT_NEAR(pixel(draw(floor_and_plate(), analysis, seen_under_plate(), {40, 40}), 20, 20).g, 0x80, 3);
+  EXPECT_EQ(renderer_->map_triangles(), 4u);
+  analysis.depth_body = box_body({-2, 1.5, -2}, {2, 3, 2});
+  EXPECT_NEAR(pixel(draw(floor_and_plate(), analysis, seen_under_plate(), {40, 40}), 20, 20).g, 0xE8, 3) << "all is lit";
+  EXPECT_EQ(renderer_->map_triangles(), 0u);
+  ViewPicture map;
+  map.id = ViewId::map;
+  map.scene = ScenePicture::map_depth;
+  const Image hatched = draw(floor_and_plate(), analysis, map, {60, 60});
+  draw(floor_and_plate(), lit_from_above(64), map, {60, 60});
+  EXPECT_NE(hatched.rgba, renderer_->read_view(ViewId::map).rgba);
+  analysis.depth_body = everything();
+  EXPECT_NEAR(pixel(draw(floor_and_plate(), analysis, seen_under_plate(), {40, 40}), 20, 20).g, 0x80, 3) << "and it comes back";
+}
+
+TEST_P(Shadows, a_map_that_would_come_out_the_same_is_not_drawn_again) {
+  renderer_->set_scene(floor_and_plate());
+  Analysis analysis = lit_from_above(64);
+  const auto drawn_for = [&](const Analysis& a) {
+    const int before = renderer_->maps_drawn();
+    renderer_->update_shadow_map(a);
+    return renderer_->maps_drawn() - before;
+  };
+  EXPECT_EQ(drawn_for(analysis), 1);
+  analysis.experiment.view.map_zoom = 2.0;
+  analysis.experiment.image.width = 100;
+  EXPECT_EQ(drawn_for(analysis), 0);
+  EXPECT_EQ(renderer_->map_triangles(), 4u);
+  analysis.experiment.shadow.depth_bias = 3.0;
+  EXPECT_EQ(drawn_for(analysis), 1);
+  analysis.experiment.shadow.resolution = 32;
+  EXPECT_EQ(drawn_for(analysis), 1);
+  analysis.map_from_world = map_from_above(2.0, 2.5, -1.0);
+  EXPECT_EQ(drawn_for(analysis), 1);
+  analysis.depth_body = box_body({-3, -1, -3}, {3, 3, 3});
+  EXPECT_EQ(drawn_for(analysis), 1);
+  EXPECT_EQ(drawn_for(analysis), 0);
+  renderer_->set_scene(floor_and_plate());
+  EXPECT_EQ(drawn_for(analysis), 1);
 }
 
 TEST_P(Shadows, rows_of_depth_go_upwards) {

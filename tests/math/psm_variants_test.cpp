@@ -81,6 +81,57 @@ TEST(DividedPsm, HasTheOneRulesWindowAndTheOrderOfItsLight) {
   }
 }
 
+// Along every light ray, from the receiver on: depth grows in the front map up to the infinity plane, where the beyond map takes
+// over at its far end and counts down towards the light. Each point is in the one map or in the other, at the same place.
+TEST(TwoMaps, MeetInTheInfinityPlane) {
+  const Camera cam = camera(1, 20);
+  std::mt19937_64 rng(2);
+  for (const V4 light : {V4(glm::normalize(V3(0.1, 1, 0.4)), 0), V4(1, 6, 9, 1)}) {
+    std::vector<V3> casters =
+        cam.frustum;  // towards the light, as far as twice as deep behind the eye as the light, or the light
+    for (const V3& x : cam.frustum) casters.push_back(light.w == 0 ? x + 60.0 * V3(light) : V3(light));
+    const auto frame = light_frame(light, centroid(cam.frustum), V3(0, 0, -1), V3(0, 1, 0));
+    const V4 plane = psm_plane<double>(cam.clip, light, cam.frustum).plane;
+    const auto maps = two_maps<double>(frame, plane, cam.clip, cam.frustum, casters);
+    ASSERT_TRUE(maps.beyond);
+    EXPECT_TRUE(maps.front.reversed_depth);
+    const V4 Ml = *maps.beyond * light;
+    EXPECT_LT(Ml.z, 0.0);
+    for (const int i : {0, 1, 3}) EXPECT_NEAR(Ml[i], 0.0, 1e-9);
+    const V4 w = row(cam.clip, 3);
+    for (int round = 0; round < 300; ++round) {
+      const V3 receiver = cam.frustum[rng() % 4] * in(rng, 1, 20);
+      const auto on_ray = [&](double t) {
+        return V3(light.w == 0 ? receiver + t * V3(light) : receiver + t * (V3(light) - receiver));
+      };
+      const double t0 = in(rng, 0, light.w == 0 ? 60 : 0.9), t1 = t0 + (light.w == 0 ? 0.1 : 1e-3);
+      const V4 front = maps.front.map_from_world * V4(on_ray(t0), 1), beyond = *maps.beyond * V4(on_ray(t0), 1);
+      const double depth = front.z / front.w, behind = beyond.z / beyond.w;
+      EXPECT_NEAR(front.x / front.w, beyond.x / beyond.w, 1e-9);
+      EXPECT_NEAR(front.y / front.w, beyond.y / beyond.w, 1e-9);
+      const bool in_front = glm::dot(w, V4(on_ray(t0), 1)) > 0.0;
+      EXPECT_EQ(depth < 1.0, in_front);
+      EXPECT_EQ(behind > 1.0, in_front);
+      EXPECT_GE(depth, -1.0 - 1e-9);
+      const V4 front1 = maps.front.map_from_world * V4(on_ray(t1), 1), beyond1 = *maps.beyond * V4(on_ray(t1), 1);
+      EXPECT_GT(front1.z / front1.w, depth) << "towards the light: the reversed order of an inverted light";
+      EXPECT_LT(beyond1.z / beyond1.w, behind) << "towards the light: the usual order";
+    }
+  }
+}
+
+TEST(TwoMaps, AreOneWhereNothingIsBehindTheEye) {
+  const Camera cam = camera(1, 20);
+  for (const double z : {-0.4, 0.4}) {
+    const V4 light(glm::normalize(V3(0.1, 1, z)), 0);
+    const auto frame = light_frame(light, centroid(cam.frustum), V3(0, 0, -1), V3(0, 1, 0));
+    const V4 plane = psm_plane<double>(cam.clip, light, cam.frustum).plane;
+    const auto maps = two_maps<double>(frame, plane, cam.clip, cam.frustum, cam.frustum);
+    EXPECT_FALSE(maps.beyond);
+    EXPECT_EQ(maps.front.map_from_world, divided_map<double>(frame, plane, cam.clip, cam.frustum, cam.frustum).map_from_world);
+  }
+}
+
 TEST(Recipe, LooksAtTheCubeAndFailsWhereItsAuthorsDidNotLook) {
   const Camera cam = camera(1, 100);
   const auto from_post = [&](V4 post) {

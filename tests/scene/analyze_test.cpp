@@ -52,7 +52,9 @@ void expect_contract(const Analysis& a) {
   }
   const dmat4& M = *a.map_from_world;
   ASSERT_TRUE(finite(M));
-  if (a.technique_used == Technique::psm_recipe || a.technique_used == Technique::psm_divided) return;  // they break the rule
+  if (a.technique_used == Technique::psm_recipe || a.technique_used == Technique::psm_divided ||
+      a.technique_used == Technique::psm_two_maps)
+    return;  // they break the rule
   const dvec4 light = a.light.w == 0 ? dvec4(safe_normalize(dvec3(a.light)), 0) : a.light;
   const dvec4 Ml = M * light;
   EXPECT_LT(Ml.z, 0);
@@ -297,6 +299,53 @@ TEST(Analyze, AForcedShiftThatNothingUsesIsSaid) {
   EXPECT_TRUE(has_note(analyze(x, kGround), "camera_shift_unused"));
   x.shadow.technique = Technique::psm;
   EXPECT_EQ(analyze(x, kGround).camera_shift, 3.0);
+}
+
+double nearest_depth(const Analysis& a, const dvec3& eye) {
+  double nearest = 1e300;
+  for (const dvec3& p : a.caster_body.vertices) nearest = std::min(nearest, eye.z - p.z);  // standing() looks along -z
+  return nearest;
+}
+
+TEST(Analyze, BothMinimalShiftsAreThereByName) {
+  for (const Technique t : {Technique::psm, Technique::psm_divided, Technique::psm_recipe}) {
+    Experiment x = standing(t);
+    x.light.to_light = {0.1, 0.5, 1};
+    const auto shift = [&](const CameraShift& s) { return x.shadow.camera_shift = s, analyze(x, kGround).camera_shift; };
+    const double in_front = shift(ShiftRule::in_front), inside = shift(ShiftRule::inside);
+    const Analysis a = analyze(x, kGround);
+    EXPECT_NEAR(nearest_depth(a, x.camera.position) + in_front, *a.near, 1e-9) << name_of(t);
+    EXPECT_GT(inside, in_front) << name_of(t);
+    EXPECT_EQ(shift(ShiftRule::automatic), t == Technique::psm           ? 0.0
+                                           : t == Technique::psm_divided ? in_front
+                                                                         : inside)
+        << name_of(t);
+    EXPECT_EQ(shift(2.5), 2.5) << name_of(t);
+  }
+}
+
+// PSM 2002, section 4.2: the second map is there exactly where casters may stand behind the eye.
+TEST(Analyze, TwoMapsWhereCastersMayStandBehindTheEye) {
+  Experiment x = standing(Technique::psm_two_maps);
+  x.light.to_light = {0.1, 0.2, 1};
+  const Analysis two = analyze(x, kRoom);
+  ASSERT_TRUE(two.map_from_world && two.map_beyond_from_world);
+  EXPECT_TRUE(two.reversed_depth);
+  EXPECT_EQ(two.technique_used, Technique::psm_two_maps);
+  EXPECT_EQ(two.camera_shift, 0.0);
+  EXPECT_FALSE(has_note(two, "one_map_enough"));
+  for (const dvec3& p : two.receivers_body.vertices) {
+    const dvec4 front = *two.map_from_world * dvec4(p, 1), beyond = *two.map_beyond_from_world * dvec4(p, 1);
+    EXPECT_LE(std::abs(front.z), front.w * (1 + 1e-9));
+    EXPECT_GT(beyond.z, beyond.w) << "a receiver lies before what the second map holds";
+  }
+  x.light.to_light = {0.1, 0.2, -1};
+  const Analysis one = analyze(x, kRoom);
+  EXPECT_TRUE(one.map_from_world && !one.map_beyond_from_world);
+  EXPECT_TRUE(has_note(one, "one_map_enough"));
+  EXPECT_FALSE(one.reversed_depth);
+  x.shadow.camera_shift = ShiftRule::inside;
+  EXPECT_TRUE(has_note(analyze(x, kRoom), "camera_shift_unused"));
 }
 
 TEST(Analyze, TighteningTheDepthRangeRescuesPsm) {

@@ -155,7 +155,7 @@ TEST(ExperimentFile, BadJsonIsRefusedWithPlaceAndRemedy) {
       {R"({"light": {"type": "sun"}})", "one of: directional, point, spot"},
       {R"({"light": {"type": 1}})", "light.type: 1"},
       {R"({"shadow": {"plane": "auto"}})", "shadow.plane: \"auto\" is not allowed; allowed: null, or four numbers"},
-      {R"({"shadow": {"camera_shift": null}})", "shadow.camera_shift: null is not allowed; allowed: auto, or"},
+      {R"({"shadow": {"camera_shift": null}})", "shadow.camera_shift: null is not allowed; allowed: auto, in_front, inside, or"},
       {R"({"scene": {"source": ""}})", "scene.source"},
       {R"({"scene": {"source": "no_such_scene"}})", "scene.source: "},
       {R"({"camera": {"near": 2, "far": 1}})", "camera.far: 1 is not allowed; allowed: a number greater than camera.near (2)"},

@@ -39,8 +39,8 @@ class RandomExperiment {
     void operator()(const Vec2Ref& ref) const { source.vector<2>(field, ref(experiment)); }
     void operator()(const Vec3Ref& ref) const { source.vector<3>(field, ref(experiment)); }
     void operator()(const TextRef&) const {}
-    void operator()(const AutoNumberRef& ref) const {
-      ref(experiment) = source.below(2) == 0 ? std::nullopt : std::optional<double>(source.number(field));
+    void operator()(const ShiftRef& ref) const {
+      ref(experiment) = source.below(2) == 0 ? CameraShift(ShiftRule(source.below(3))) : source.number(field);
     }
     void operator()(const AutoPlaneRef& ref) const {
       glm::dvec4 plane;

@@ -42,6 +42,9 @@ TEST(ShippedExperiments, Figure7HasCastersBehindTheEyeAndTheShiftBringsThemInFro
   EXPECT_LT(nearest_depth(lost), 0.0);
   EXPECT_EQ(lost.camera_shift, 0.0);
   EXPECT_NEAR(nearest_depth(shifted) + shifted.camera_shift, *shifted.near, 1e-9);
+  const Analysis two = analysis_of("psm2002_figure7_two_maps");
+  EXPECT_EQ(two.camera_shift, 0.0);
+  EXPECT_TRUE(two.map_beyond_from_world);
 }
 
 }  // namespace

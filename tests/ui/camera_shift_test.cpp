@@ -16,15 +16,16 @@ TEST(CameraShift, PlaysFromZeroToTheAutomaticValue) {
   bench.input().key('A', false);
   double last = -1.0;
   int steps = 0;
-  for (; bench.experiment().shadow.camera_shift != automatic && steps < 100; ++steps) {
+  for (; bench.experiment().shadow.camera_shift != CameraShift(automatic) && steps < 100; ++steps) {
     bench.frame();
-    ASSERT_TRUE(bench.experiment().shadow.camera_shift);
-    EXPECT_GE(*bench.experiment().shadow.camera_shift, last);
-    EXPECT_LE(*bench.experiment().shadow.camera_shift, automatic);
+    const double* shift = std::get_if<double>(&bench.experiment().shadow.camera_shift);
+    ASSERT_TRUE(shift);
+    EXPECT_GE(*shift, last);
+    EXPECT_LE(*shift, automatic);
     if (steps == 0) {
-      EXPECT_LT(*bench.experiment().shadow.camera_shift, 0.05 * automatic);
+      EXPECT_LT(*shift, 0.05 * automatic);
     }
-    last = *bench.experiment().shadow.camera_shift;
+    last = *shift;
   }
   EXPECT_NEAR(steps, 36, 3) << "0.6 s at 60 frames a second";
   bench.settle();
@@ -32,10 +33,24 @@ TEST(CameraShift, PlaysFromZeroToTheAutomaticValue) {
   bench.settle();
   EXPECT_EQ(bench.work().frames(), drawn);
   EXPECT_EQ(bench.work().views_drawn(), views);
-  EXPECT_EQ(bench.experiment().shadow.camera_shift, automatic);
+  EXPECT_EQ(bench.experiment().shadow.camera_shift, CameraShift(automatic));
   EXPECT_EQ(bench.work().model().history().undo_count(), 1u);
   bench.key('Z', {true, false, false});
   EXPECT_EQ(bench.experiment(), before);
+}
+
+TEST(CameraShift, TheRuleThatWasChosenIsPlayedAgain) {
+  Bench bench("ground", {"light.type=point", "light.position=-6,9,8", "shadow.technique=psm", "shadow.camera_shift=inside"});
+  const double inside = bench.analysis().camera_shift;
+  ASSERT_GT(inside, 0.0);
+  for (int play = 0; play < 2; ++play) {
+    bench.input().key('A', true);
+    bench.input().key('A', false);
+    bench.frame();
+    EXPECT_NE(bench.experiment().shadow.camera_shift, CameraShift(inside));
+    for (int i = 0; i < 100; ++i) bench.frame();
+    EXPECT_EQ(bench.experiment().shadow.camera_shift, CameraShift(inside));
+  }
 }
 
 TEST(CameraShift, UndoOnTheWayStopsIt) {

@@ -41,8 +41,9 @@ struct Edit {
   void operator()(const IntRef&) const { edit_number(bench, field.path, field.path); }
   void operator()(const Vec2Ref&) const { components(".x", ".y"); }
   void operator()(const Vec3Ref&) const { components(".x", ".z"); }
-  void operator()(const AutoNumberRef&) const {
-    bench.click(bench.at(field.path + ".absent", 0.1));
+  void operator()(const ShiftRef&) const {
+    bench.click(bench.at(field.path + ".rule", 0.1));
+    bench.click(bench.at(field.path + "=number", 0.1));
     edit_number(bench, field.path, field.path);
   }
   void operator()(const AutoPlaneRef&) const {

@@ -41,6 +41,13 @@ ViewPicture describe(ViewId id, const Analysis& analysis, glm::ivec2 size) {
 
 double aspect_of(glm::ivec2 size) { return size.x > 0 && size.y > 0 ? double(size.x) / size.y : 1.0; }
 
+std::string map_remark(const Analysis& analysis) {
+  const Technique asked = analysis.experiment.shadow.technique, used = analysis.technique_used;
+  const std::string other = used == asked ? "" : std::string(", not ") + name_of(asked);
+  if (analysis.cube_maps_from_world) return other + ": light in R";
+  return other.empty() || analysis.receivers_body.empty() ? "" : std::string(", ") + name_of(used) + other;
+}
+
 ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene&, glm::ivec2 size) {
   ViewPicture picture = describe(id, analysis, size);
   drop_overflow(picture.list);

@@ -13,7 +13,7 @@ ViewPicture describe_eye(const Analysis& analysis, glm::ivec2 size) {
   const glm::dvec2 half(std::min(1.0, ratio), std::min(1.0, 1.0 / ratio));
   ViewPicture picture;
   picture.id = ViewId::eye;
-  picture.title = "Eye";
+  picture.title = (analysis.cube_maps_from_world ? "Eye, six maps" : "Eye") + map_remark(analysis);
   picture.image_rect = {-half, half};
   picture.clip_from_list = glm::scale(glm::dmat4(1.0), glm::dvec3(half, 1.0));
   picture.clip_from_world = picture.clip_from_list * analysis.clip_from_world();

@@ -8,8 +8,7 @@
 namespace psm {
 namespace {
 
-constexpr double fit = 0.86;     // the whole map and a margin for what lies just outside
-constexpr double reach = 100.0;  // how far outlines go on outside, in half windows
+constexpr double fit = 0.86;  // the whole map and a margin for what lies just outside
 
 double cross(const glm::dvec2& o, const glm::dvec2& p, const glm::dvec2& q) {
   return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
@@ -40,8 +39,9 @@ glm::dmat4 clip_from_plane(const ViewSettings& view, const glm::dvec2& half, dou
 
 class MapView {
  public:
-  MapView(const Analysis& analysis, const glm::dmat4& clip_from_list)
-      : analysis_(analysis), clip_from_list_(clip_from_list), sketch_(limits()) {
+  /// `reach`: how far outlines go, in half windows.
+  MapView(const Analysis& analysis, const glm::dmat4& clip_from_list, double reach)
+      : analysis_(analysis), clip_from_list_(clip_from_list), sketch_(limits(reach)) {
     // Depth plays no part: the picture is seen along it.
     plane_from_world_ = *analysis.map_from_world;
     for (int i = 0; i < 4; ++i) plane_from_world_[i].z = 0.0;
@@ -56,7 +56,7 @@ class MapView {
   }
 
  private:
-  static Limits limits() {
+  static Limits limits(double reach) {
     const Box box{{-reach, -reach, -1.0}, {reach, reach, 1.0}};
     return {box, box};
   }
@@ -121,6 +121,7 @@ class MapView {
   void eye() {
     const glm::dvec4 q = plane_from_world_ * at(analysis_.experiment.camera.position);
     const glm::dvec2 p = glm::dvec2(q) / q.w;
+    const double reach = sketch_.limits().outer.max.x;
     if (!(q.w > 0.0) || !(std::abs(p.x) <= reach && std::abs(p.y) <= reach)) return;
     sketch_.point({p, 0.0}, Role::frustum);
     sketch_.label({p, 0.0}, "eye", Role::frustum, 7);
@@ -130,6 +131,24 @@ class MapView {
   glm::dmat4 clip_from_list_, plane_from_world_{1.0};
   Sketch sketch_;
 };
+
+/// The two maps of psm_two_maps, side by side. They share u and v, so that the same outlines stand in both.
+DrawList two_maps(const Analysis& analysis) {
+  static constexpr const char* captions[] = {"w > 0: in front of the eye", "w < 0: behind the eye"};
+  const Box everywhere{glm::dvec3(-1.0), glm::dvec3(1.0)};
+  Sketch sketch({everywhere, everywhere});
+  for (int i = 0; i < 2; ++i) {
+    const glm::dmat4 sheet_from_map = glm::scale(glm::translate(glm::dmat4(1.0), {i - 0.5, 0.0, 0.0}), glm::dvec3(0.5, 0.5, 1.0));
+    DrawList map = MapView(analysis, glm::dmat4(1.0), 1.0 + 1e-9).draw();
+    for (DrawLine& line : map.lines) line.a = sheet_from_map * line.a, line.b = sheet_from_map * line.b;
+    for (DrawPoint& point : map.points) point.position = sheet_from_map * point.position;
+    for (DrawLabel& label : map.labels) label.anchor = sheet_from_map * label.anchor;
+    if (i > 0) map.labels.clear();
+    sketch.append(std::move(map));
+    sketch.label({i - 0.5, 0.44, 0.0}, captions[i], Role::infinity, 12);
+  }
+  return std::move(sketch.list);
+}
 
 /// The contact sheet of six maps: +x -x +y above -y +z -z, squares with sides of 2/3.
 DrawList six_maps() {
@@ -150,20 +169,29 @@ DrawList six_maps() {
 }  // namespace
 
 ViewPicture describe_map(const Analysis& analysis, glm::ivec2 size) {
-  const std::string n = std::to_string(analysis.experiment.shadow.resolution);
+  constexpr double reach = 100.0;  // how far outlines go on outside
+  const std::string n = std::to_string(analysis.experiment.shadow.resolution), size_text = n + " x " + n;
   const ViewSettings& view = analysis.experiment.view;
   ViewPicture picture;
   picture.id = ViewId::map;
   picture.scene = ScenePicture::map_depth;
-  if (analysis.cube_maps_from_world) {
-    picture.title = "Six maps of 90°, " + n + " x " + n + " each";
+  if (analysis.receivers_body.empty()) {
+    picture.title = "No shadow map: nothing is visible";
+    picture.clip_from_list = clip_from_plane(view, {1.0, 1.0}, aspect_of(size));
+  } else if (analysis.cube_maps_from_world) {
+    picture.title = "Six maps of 90°";
     picture.clip_from_list = clip_from_plane(view, {1.0, 2.0 / 3.0}, aspect_of(size));
     picture.list = six_maps();
+  } else if (analysis.map_beyond_from_world) {
+    picture.title = "Two maps " + size_text;
+    picture.clip_from_list = clip_from_plane(view, {1.0, 0.5}, aspect_of(size));
+    picture.list = two_maps(analysis);
   } else {
-    picture.title = "Shadow map " + n + " x " + n;
+    picture.title = "Shadow map " + size_text;
     picture.clip_from_list = clip_from_plane(view, {1.0, 1.0}, aspect_of(size));
-    if (analysis.map_from_world) picture.list = MapView(analysis, picture.clip_from_list).draw();
+    if (analysis.map_from_world) picture.list = MapView(analysis, picture.clip_from_list, reach).draw();
   }
+  picture.title += map_remark(analysis);
   return picture;
 }
 

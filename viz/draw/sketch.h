@@ -88,6 +88,9 @@ ViewPicture describe_cube(const Analysis& analysis, glm::ivec2 size);
 ViewPicture describe_map(const Analysis& analysis, glm::ivec2 size);
 ViewPicture describe_eye(const Analysis& analysis, glm::ivec2 size);
 
+/// For a view's title: why it is not the map that was asked for, such as ", uniform, not glpr"; "" where it is.
+std::string map_remark(const Analysis& analysis);
+
 /// Width over height, 1 for a picture without area.
 double aspect_of(glm::ivec2 size);
 

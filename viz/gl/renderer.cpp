@@ -82,6 +82,12 @@ void Renderer::draw_shadow_map(const Analysis& analysis) {
   gl::check_errors("draw_shadow_map");
 }
 
+void Renderer::update_shadow_map(const Analysis& analysis) {
+  const gl::StateGuard guard;
+  state_->shadow_pass.update(state_->scene, analysis);
+  gl::check_errors("update_shadow_map");
+}
+
 std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& analysis, glm::ivec2 size, double scale,
                                   Theme theme) {
   const gl::StateGuard guard;
@@ -129,6 +135,10 @@ std::vector<float> Renderer::read_map_depth() {
   const gl::StateGuard guard;
   return state_->shadow_pass.read_depth();
 }
+
+std::size_t Renderer::map_triangles() const { return state_->shadow_pass.triangles_drawn(); }
+
+int Renderer::maps_drawn() const { return state_->shadow_pass.times_drawn(); }
 
 int Renderer::map_resolution() const { return state_->shadow_pass.resolution(); }
 

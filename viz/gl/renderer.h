@@ -36,8 +36,10 @@ class Renderer {
   /// Uploads the scene; call again when the scene changed.
   void set_scene(const Scene& scene);
 
-  /// Draws the shadow map (or the six) of this analysis; call when the analysis changed.
+  /// Draws the shadow map (or the two, or the six) of this analysis; none where nothing can cast a shadow.
   void draw_shadow_map(const Analysis& analysis);
+  /// The same, unless the map would come out as it is; call when the analysis changed.
+  void update_shadow_map(const Analysis& analysis);
 
   /// Draws one view into its own texture and returns the texture's OpenGL name, valid until the next call for the same id.
   /// `size` in pixels; `scale` multiplies widths and type. The texture's first row is the bottom one.
@@ -52,6 +54,11 @@ class Renderer {
 
   /// Depth in [0, 1] of layer 0 of the shadow map, rows bottom to top; for tests.
   std::vector<float> read_map_depth();
+
+  /// What the map in use holds: 0 where nothing can cast a shadow, and no map was drawn.
+  std::size_t map_triangles() const;
+  /// How often a map had to be drawn so far.
+  int maps_drawn() const;
 
   /// Texels along a side of the map that was drawn last: less than the experiment asks for where the card has no room for more.
   int map_resolution() const;

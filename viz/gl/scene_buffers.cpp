@@ -151,6 +151,10 @@ GLenum mode_of(Primitive primitive) {
   return GL_TRIANGLES;
 }
 
+bool reaches(const Part& part, const ConvexBody& body) {
+  return !body.empty() && !misses(body, part.bounds.min, part.bounds.max);
+}
+
 }  // namespace
 
 SceneBuffers::SceneBuffers() {
@@ -179,6 +183,7 @@ void SceneBuffers::set_frame(const Bounds& bounds) {
 }
 
 void SceneBuffers::upload(const Scene& scene) {
+  ++revision_;
   set_frame(scene.bounds);
   materials_ = scene.materials;
   Assembly all;
@@ -218,6 +223,13 @@ void SceneBuffers::draw_range(Primitive primitive, std::size_t first, GLsizei co
 
 void SceneBuffers::draw(const Batch& batch) const { draw_range(batch.primitive, batch.first, batch.count); }
 
+bool SceneBuffers::any_inside(Primitive primitive, const ConvexBody& body) const {
+  return std::any_of(batches_.begin(), batches_.end(), [&](const Batch& batch) {
+    return batch.primitive == primitive && std::any_of(batch.parts.begin(), batch.parts.end(),
+                                                       [&](const Part& part) { return part.count > 0 && reaches(part, body); });
+  });
+}
+
 std::size_t SceneBuffers::draw_inside(const Batch& batch, const ConvexBody& body) const {
   std::size_t drawn = 0, first = 0;
   GLsizei count = 0;
@@ -227,7 +239,7 @@ std::size_t SceneBuffers::draw_inside(const Batch& batch, const ConvexBody& body
     count = 0;
   };
   for (const Part& part : batch.parts) {
-    if (body.empty() || misses(body, part.bounds.min, part.bounds.max)) continue;
+    if (!reaches(part, body)) continue;
     if (first + std::size_t(count) != part.first) flush();
     if (count == 0) first = part.first;
     count += part.count;

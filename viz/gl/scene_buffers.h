@@ -40,10 +40,15 @@ class SceneBuffers {
   const std::vector<Batch>& batches() const { return batches_; }
   const Material& material(const Batch& batch) const { return materials_[std::size_t(batch.material)]; }
 
+  /// Another number after each upload.
+  int revision() const { return revision_; }
+
   void bind() const { glBindVertexArray(array_.get()); }
   /// Sets the material's uniforms of the program in use, and its texture on unit 0.
   void bind_material(const Batch& batch, Program& program) const;
   void draw(const Batch& batch) const;
+  /// Whether any part of this kind reaches into the body.
+  bool any_inside(Primitive primitive, const ConvexBody& body) const;
   /// Only the parts that reach into the body. Returns how many triangles that were.
   std::size_t draw_inside(const Batch& batch, const ConvexBody& body) const;
 
@@ -57,6 +62,7 @@ class SceneBuffers {
   std::vector<GlTexture> textures_;
   VertexArray array_;
   Buffer vertices_, indices_;
+  int revision_ = 0;
 };
 
 }  // namespace psm::gl

@@ -164,8 +164,9 @@ MapPass::MapPass(const std::filesystem::path& shaders)
 
 void MapPass::draw(const ViewPicture& picture, const ShadowPass& map, double scale, Theme theme) {
   const auto clip = narrow(picture.clip_from_list);
-  if (!clip || map.layers() == 0) return;
-  const float half_height = map.layers() == 6 ? 2.0f / 3.0f : 1.0f;
+  if (!clip) return;
+  const glm::vec2 tiles = map.layers() == 6 ? glm::vec2(3.0f, 2.0f) : glm::vec2(std::max(1, map.layers()), 1.0f);
+  const float half_height = tiles.y / tiles.x;
   const auto corner = [&](float u, float v) {
     return MapCorner{*clip * glm::vec4(2.0f * u - 1.0f, (2.0f * v - 1.0f) * half_height, 0.0f, 1.0f), {u, v}};
   };
@@ -173,7 +174,8 @@ void MapPass::draw(const ViewPicture& picture, const ShadowPass& map, double sca
   program_.use();
   program_.set("u_map", 0);
   program_.set("u_depth_range", depth_range_);
-  program_.set("u_tiles", map.layers() == 6 ? glm::vec2(3.0f, 2.0f) : glm::vec2(1.0f));
+  program_.set("u_tiles", tiles);
+  program_.set("u_empty", map.layers() == 0 ? 1 : 0);
   program_.set("u_ground", ground_color(theme));
   program_.set("u_scale", float(scale));
   map.bind_for_reading(0);

@@ -35,8 +35,8 @@ class MapPass {
   /// Reads the depths in use back, with a framebuffer of its own; before draw().
   void prepare(ShadowPass& map) { depth_range_ = map.used_range(); }
 
-  /// ScenePicture::map_depth: layer 0 in the square [-1, 1]^2 of the list's space, or the six as a sheet of 3 x 2 squares, +x -x
-  /// +y above -y +z -z, as wide as the square. Near is light, far is dark, hatched where no caster is.
+  /// ScenePicture::map_depth: layer 0 in the square [-1, 1]^2 of the list's space, or a sheet as wide as the square: two side by
+  /// side, or six in 3 x 2, +x -x +y above -y +z -z. Near is light, far is dark, hatched where no caster is.
   void draw(const ViewPicture& picture, const ShadowPass& map, double scale, Theme theme);
 
  private:

@@ -25,8 +25,10 @@ std::vector<glm::dmat4> maps_from_world(const Analysis& analysis) {
   if (analysis.cube_maps_from_world) return {analysis.cube_maps_from_world->begin(), analysis.cube_maps_from_world->end()};
   // A reversed depth test is the usual one on the negated depth.
   const double order = analysis.reversed_depth ? -1.0 : 1.0;
-  if (analysis.map_from_world) return {glm::scale(glm::dmat4(1.0), {1.0, 1.0, order}) * *analysis.map_from_world};
-  return {};
+  std::vector<glm::dmat4> maps;
+  if (analysis.map_from_world) maps.push_back(glm::scale(glm::dmat4(1.0), {1.0, 1.0, order}) * *analysis.map_from_world);
+  if (analysis.map_beyond_from_world) maps.push_back(*analysis.map_beyond_from_world);
+  return maps;
 }
 
 /// Halves the resolution until the card has room.
@@ -49,9 +51,9 @@ ShadowPass::ShadowPass(const std::filesystem::path& shaders)
 }
 
 void ShadowPass::allocate(int resolution, int layers) {
-  if (resolution == asked_resolution_ && layers == layers_) return;
+  if (resolution == asked_resolution_ && layers == allocated_layers_) return;
   asked_resolution_ = resolution;
-  layers_ = layers;
+  allocated_layers_ = layers;
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   glBindTexture(GL_TEXTURE_2D_ARRAY, depth_.get());
@@ -59,13 +61,24 @@ void ShadowPass::allocate(int resolution, int layers) {
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
+ShadowPass::Content ShadowPass::content_of(const SceneBuffers& scene, const Analysis& analysis) {
+  const ShadowSettings& shadow = analysis.experiment.shadow;
+  return {maps_from_world(analysis), shadow.resolution, shadow.depth_bias, analysis.depth_body.vertices, scene.revision()};
+}
+
+void ShadowPass::update(const SceneBuffers& scene, const Analysis& analysis) {
+  if (content_of(scene, analysis) != drawn_) draw(scene, analysis);
+}
+
 void ShadowPass::draw(const SceneBuffers& scene, const Analysis& analysis) {
-  const std::vector<glm::dmat4> maps = maps_from_world(analysis);
-  allocate(analysis.experiment.shadow.resolution, std::max(1, int(maps.size())));
+  drawn_ = content_of(scene, analysis);
+  ++times_drawn_;
   used_range_.reset();
   maps_from_local_.clear();
   triangles_drawn_ = 0;
+  if (drawn_->maps.empty() || !scene.any_inside(Primitive::triangles, analysis.depth_body)) return;
 
+  allocate(drawn_->resolution, int(drawn_->maps.size()));
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glViewport(0, 0, resolution_, resolution_);
   const GLenum no_color = GL_NONE;
@@ -73,15 +86,14 @@ void ShadowPass::draw(const SceneBuffers& scene, const Analysis& analysis) {
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_POLYGON_OFFSET_FILL);
   // The factor multiplies the steeper of the two depth slopes per texel: exactly the setting's definition.
-  glPolygonOffset(float(analysis.experiment.shadow.depth_bias), kBiasUnits);
-  for (int layer = 0; layer < layers_; ++layer) {
+  glPolygonOffset(float(drawn_->depth_bias), kBiasUnits);
+  for (int layer = 0; layer < allocated_layers_; ++layer) {
+    // A matrix that cannot be drawn keeps its place with w = 0 everywhere: nothing lies inside it.
+    const glm::mat4 map = narrow(drawn_->maps[std::size_t(layer)] * scene.world_from_local()).value_or(glm::mat4(0.0f));
+    maps_from_local_.push_back(map);
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth_.get(), 0, layer);
     const float far_end = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &far_end);
-    if (std::size_t(layer) >= maps.size()) continue;
-    // A matrix that cannot be drawn keeps its place with w = 0 everywhere: nothing lies inside it.
-    const glm::mat4 map = narrow(maps[std::size_t(layer)] * scene.world_from_local()).value_or(glm::mat4(0.0f));
-    maps_from_local_.push_back(map);
     draw_layer(scene, map, analysis.depth_body);
   }
 }
@@ -139,7 +151,7 @@ glm::vec2 ShadowPass::used_range() {
   if (used_range_) return *used_range_;
   constexpr int kBlocks = 64;  // along a side: few enough to read back, enough to keep the card busy
   glm::vec2 range(1.0f, 0.0f);
-  for (int layer = 0; layer < layers_; ++layer) {
+  for (int layer = 0; layer < layers(); ++layer) {
     for (const glm::vec2& block : read_blocks(layer, std::max(2, resolution_ / kBlocks)))
       range = {std::min(range.x, block.x), std::max(range.y, block.y)};
   }
@@ -149,7 +161,7 @@ glm::vec2 ShadowPass::used_range() {
 
 std::vector<float> ShadowPass::read_depth() {
   std::vector<float> depth;
-  if (resolution_ == 0) return depth;
+  if (layers() == 0) return depth;
   for (const glm::vec2& texel : read_blocks(0, 1)) depth.push_back(texel.x);
   return depth;
 }

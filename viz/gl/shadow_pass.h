@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shadow map: a depth texture array of one layer or six, drawn from the composed matrices.
+// The shadow map: a depth texture array of one layer, two or six, drawn from the composed matrices; of none where nothing can
+// cast a shadow.
 #pragma once
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "gl/gl_objects.h"
@@ -16,16 +18,22 @@ class ShadowPass {
  public:
   explicit ShadowPass(const std::filesystem::path& shaders);
 
-  /// Draws the casters that reach into H_R. Lines and points cast no shadow; all faces do, whichever way they look.
+  /// Draws the casters that reach into H_R. Lines and points cast no shadow; all faces do, whichever way they look. Where nothing
+  /// reaches into H_R nothing is drawn, not even cleared: there are no layers, and all is lit.
   void draw(const SceneBuffers& scene, const Analysis& analysis);
+  /// The same, unless that is what was drawn last.
+  void update(const SceneBuffers& scene, const Analysis& analysis);
 
-  /// What was drawn last: map from local space (see scene_buffers.h), one matrix for each layer; none before the first draw.
+  /// What was drawn last: map from local space (see scene_buffers.h), one matrix for each layer. A point is lit if all maps
+  /// that hold it say so.
   const std::vector<glm::mat4>& maps_from_local() const { return maps_from_local_; }
-  int layers() const { return layers_; }
+  int layers() const { return int(maps_from_local_.size()); }
   /// Texels along a side; less than asked for where the card has no room for more.
   int resolution() const { return resolution_; }
   /// Of all layers together; what lies outside H_R is left out.
   std::size_t triangles_drawn() const { return triangles_drawn_; }
+  /// How often draw() was called, by whomever.
+  int times_drawn() const { return times_drawn_; }
 
   /// For shadow tests: hardware comparison. Binds texture and sampler.
   void bind_for_comparison(int unit) const;
@@ -38,6 +46,16 @@ class ShadowPass {
   std::vector<float> read_depth();
 
  private:
+  /// All that the map depends on.
+  struct Content {
+    std::vector<glm::dmat4> maps;
+    int resolution = 0;
+    double depth_bias = 0.0;
+    std::vector<glm::dvec3> casters;  // of the body that they reach into
+    int scene = 0;
+    bool operator==(const Content&) const = default;
+  };
+  static Content content_of(const SceneBuffers& scene, const Analysis& analysis);
   void allocate(int resolution, int layers);
   void draw_layer(const SceneBuffers& scene, const glm::mat4& map_from_local, const ConvexBody& casters);
   /// The least and the largest depth that is not empty, of each block of block x block texels of a layer; of one texel, its
@@ -49,7 +67,8 @@ class ShadowPass {
   Sampler comparison_, reading_;
   Framebuffer framebuffer_;
   VertexArray no_vertices_;
-  int resolution_ = 0, layers_ = 0, asked_resolution_ = 0;
+  int resolution_ = 0, allocated_layers_ = 0, asked_resolution_ = 0, times_drawn_ = 0;
+  std::optional<Content> drawn_;
   std::vector<glm::mat4> maps_from_local_;
   std::size_t triangles_drawn_ = 0;
   std::optional<glm::vec2> used_range_;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the 2002 paper and its web page do where psmlab has one rule: the virtual camera shift, the light divided by its w with
-// the depth test reversed, and the recipe that looks at the cube's centre. They are here to be compared with.
+// the depth test reversed, the second map beyond the infinity plane, and the recipe that looks at the cube's centre. They are
+// here to be compared with.
 #pragma once
+
+#include <optional>
 
 #include "math/shadow_map.h"
 
@@ -35,6 +38,13 @@ struct VariantMap {
   T smallest_w = T(0);          // over the cube's corners, relative to the largest
 };
 
+/// The row z with z/c = -1 and 1 at the ends of this range of -w/c, the depth of the cube's space seen from the light: linear
+/// along every ray, 0 on the infinity plane, negative in front of the eye and positive behind it.
+template <class T>
+Vec4<T> cube_depth_row(const Vec4<T>& w, const Vec4<T>& c, const Range<T>& depth) {
+  return (T(-2) * w - (depth.min + depth.max) * c) / depth.size();
+}
+
 /// Divided PSM (PSM 2002, section 3.1): the light as the point L.xyz / L.w of the cube's space, depth growing away from that
 /// point; where L.w < 0 the light is inverted, so that depth falls along the true rays. `plane` is the one-rule plane (the two
 /// agree), `depths` the points whose depth the map must hold; those behind the eye, and those
@@ -58,8 +68,37 @@ VariantMap<T> divided_map(const LightFrame<T>& frame, const Vec4<T>& plane, cons
   Range<T> depth = ratio_range<T>(-w, c, receivers);
   for (const Vec3<T>& x : in_front) depth.add(-glm::dot(w, Vec4<T>(x, 1)) / glm::dot(c, Vec4<T>(x, 1)));
   if (!(depth.size() > T(0))) depth = {depth.min - T(1), depth.max + T(1)};
-  const Vec4<T> z = (T(-2) * w - (depth.min + depth.max) * c) / depth.size();
+  const Vec4<T> z = cube_depth_row(w, c, depth);
   out.map_from_world = from_rows(row(one_rule.map_from_world, 0), row(one_rule.map_from_world, 1), z, c);
+  return out;
+}
+
+/// The other solution of PSM 2002, section 4.2: no camera shift, but two maps that share u and v and meet in the infinity plane.
+/// `front` is the divided map, up to that plane. `beyond` looks from the light to the other side, at what stands behind the eye.
+/// That happens for an inverted light only, and then all of it lies between the light and the plane: a receiver, always in front,
+/// is lit if both maps say so, and of `beyond` it asks no more than whether anything is there.
+template <class T>
+struct TwoMaps {
+  VariantMap<T> front;
+  std::optional<Mat4<T>> beyond;  // keeps the rule M l = (0, 0, -k, 0), k > 0; none where no point of `depths` is behind the eye
+};
+
+template <class T>
+TwoMaps<T> two_maps(const LightFrame<T>& frame, const Vec4<T>& plane, const Mat4<T>& clip_from_world,
+                    std::span<const Vec3<T>> receivers, std::span<const Vec3<T>> depths) {
+  TwoMaps<T> out{divided_map(frame, plane, clip_from_world, receivers, depths), {}};
+  const Mat4<T> front = out.front.map_from_world;
+  const Vec4<T> c = row(front, 3), w = row(clip_from_world, 3);
+  const Range<T> w_range = value_range(w, depths);
+  if (!out.front.reversed_depth || !(w_range.min < T(0))) return out;
+  // The light itself is a vertex of the casters' body, where c = 0: as in fit_map, depth begins at a near distance from it.
+  const T near_c = fit_map(frame, plane, receivers, receivers, true).near_c;
+  T farthest = T(0);
+  for (const Vec3<T>& x : depths)
+    farthest = std::max(farthest, -glm::dot(w, Vec4<T>(x, 1)) / std::max(glm::dot(c, Vec4<T>(x, 1)), near_c));
+  const Range<T> in_front{ratio_range<T>(-w, c, receivers).min, T(0)}, behind{T(0), farthest};
+  out.front.map_from_world = from_rows(row(front, 0), row(front, 1), cube_depth_row(w, c, in_front), c);
+  out.beyond = from_rows(row(front, 0), row(front, 1), -cube_depth_row(w, c, behind), c);
   return out;
 }
 

@@ -60,6 +60,7 @@ struct Analysis {
   glm::dmat4 view_from_world{1.0}, clip_from_view{1.0};
   glm::dmat4 cube_from_world{1.0};           // P V with the eye moved back by camera_shift: near as it is, far grown by the shift
   std::optional<glm::dmat4> map_from_world;  // none exactly when l lies in R
+  std::optional<glm::dmat4> map_beyond_from_world;  // psm_two_maps: a second map, of what is behind the eye; lit if both say so
   std::optional<std::array<glm::dmat4, 6>> cube_maps_from_world;  // then six maps: +x -x +y -y +z -z
   bool reversed_depth = false;                // psm_divided, psm_recipe with an inverted light: the farthest hit survives
   std::optional<glm::dvec4> vanishing_plane;  // c = 0, positive on R

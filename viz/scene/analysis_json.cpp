@@ -55,6 +55,7 @@ JsonNode matrices_node(const Analysis& analysis) {
   node["view_from_world"] = matrix_node(analysis.view_from_world);
   node["clip_from_view"] = matrix_node(analysis.clip_from_view);
   node["map_from_world"] = analysis.map_from_world ? matrix_node(*analysis.map_from_world) : JsonNode();
+  node["map_beyond_from_world"] = analysis.map_beyond_from_world ? matrix_node(*analysis.map_beyond_from_world) : JsonNode();
   JsonNode& cube = node["cube_maps_from_world"];
   if (!analysis.cube_maps_from_world) return node;
   cube = JsonNode::array();

@@ -18,9 +18,10 @@ constexpr double kLargest = 1e12, kSmallest = 1e-12;
 constexpr double kLongest = 1e100, kShortest = 1e-100;
 
 constexpr std::array kLightTypes{"directional", "point", "spot"};
-constexpr std::array kTechniques{"uniform",    "psm",         "lispsm",          "lispsm_reference", "glpr",
-                                 "gmnpr",      "minimax",     "minimax_frustum", "plane_optimal",    "best_plane",
-                                 "psm_recipe", "psm_divided", "custom"};
+constexpr std::array kTechniques{
+    "uniform",         "psm",           "lispsm",     "lispsm_reference", "glpr",        "gmnpr",        "minimax",
+    "minimax_frustum", "plane_optimal", "best_plane", "psm_recipe",       "psm_divided", "psm_two_maps", "custom"};
+constexpr std::array kShiftRules{"auto", "in_front", "inside"};
 constexpr std::array kViews{"world", "cube", "map", "eye"};
 static_assert(kViews.size() == kAllViews.size());
 
@@ -117,8 +118,9 @@ void add_shadow(std::vector<Field>& rows) {
   rows.push_back(Row("shadow.depth_bias", PSM_REF(NumberRef, shadow.depth_bias), "texels",
                      "Depth offset against self-shadowing, in texels along the steeper depth slope of the caster.")
                      .within(0, 1000));
-  rows.push_back(Row("shadow.camera_shift", PSM_REF(AutoNumberRef, shadow.camera_shift), "scene units",
-                     "How far the virtual camera steps back before the PSM projection; auto lets the technique choose.")
+  rows.push_back(Row("shadow.camera_shift", PSM_REF(ShiftRef, shadow.camera_shift), "scene units",
+                     "How far the virtual camera steps back before the PSM projection: until the casters are in front of it, or "
+                     "inside its frustum; auto lets the technique choose.")
                      .within(0, kLargest));
   rows.push_back(Row("shadow.near_fit", PSM_CHOICE((std::vector<std::string>{"off", "bounds", "depth"}), shadow.near_fit), "",
                      "What near and far tighten to: nothing, the receivers' depth range, or the visible points."));
@@ -193,7 +195,11 @@ struct AllowedValues {
   std::string operator()(const Vec2Ref&) const { return allowed_vector(field, "two"); }
   std::string operator()(const Vec3Ref&) const { return allowed_vector(field, "three"); }
   std::string operator()(const TextRef&) const { return "a built-in scene's id, or a path to a .gltf or .glb file"; }
-  std::string operator()(const AutoNumberRef&) const { return field.absent + ", or a number in " + range_text(field); }
+  std::string operator()(const ShiftRef&) const {
+    std::string text;
+    for (const char* rule : kShiftRules) text += std::string(rule) + ", ";
+    return text + "or a number in " + range_text(field);
+  }
   std::string operator()(const AutoPlaneRef&) const {
     return field.absent + ", or four numbers a, b, c, d in " + range_text(field) + " with a, b, c not all (nearly) zero";
   }
@@ -225,9 +231,10 @@ struct ValueText {
   std::string operator()(const Vec2Ref& ref) const { return list_text<2>(read(ref, experiment)); }
   std::string operator()(const Vec3Ref& ref) const { return list_text<3>(read(ref, experiment)); }
   std::string operator()(const TextRef& ref) const { return read(ref, experiment); }
-  std::string operator()(const AutoNumberRef& ref) const {
-    const auto& value = read(ref, experiment);
-    return value ? number_text(*value) : field.absent;
+  std::string operator()(const ShiftRef& ref) const {
+    const CameraShift& shift = read(ref, experiment);
+    const double* value = std::get_if<double>(&shift);
+    return value ? number_text(*value) : name_of(std::get<ShiftRule>(shift));
   }
   std::string operator()(const AutoPlaneRef& ref) const {
     const auto& value = read(ref, experiment);
@@ -265,8 +272,9 @@ struct InRange {
     const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
     return !text.empty() && text.size() <= 4096 && std::none_of(text.begin(), text.end(), is_control);
   }
-  bool operator()(const AutoNumberRef& ref) const {
-    const auto& value = read(ref, experiment);
+  bool operator()(const ShiftRef& ref) const {
+    const CameraShift& shift = read(ref, experiment);
+    const double* value = std::get_if<double>(&shift);
     return !value || number(*value);
   }
   bool operator()(const AutoPlaneRef& ref) const {
@@ -347,6 +355,18 @@ std::optional<InputError> check_experiment(const Experiment& experiment) {
 const char* name_of(LightType type) { return kLightTypes[std::size_t(type)]; }
 const char* name_of(Technique technique) { return kTechniques[std::size_t(technique)]; }
 const char* name_of(ViewId id) { return kViews[std::size_t(id)]; }
+
+const char* name_of(ShiftRule rule) { return kShiftRules[std::size_t(rule)]; }
+
+std::optional<ShiftRule> shift_rule_from_name(const std::string& name) {
+  const auto found = std::find(kShiftRules.begin(), kShiftRules.end(), name);
+  if (found == kShiftRules.end()) return std::nullopt;
+  return ShiftRule(found - kShiftRules.begin());
+}
+
+bool shifts_camera(Technique technique) {
+  return technique == Technique::psm || technique == Technique::psm_divided || technique == Technique::psm_recipe;
+}
 
 std::vector<std::string> technique_names() { return as_list(kTechniques); }
 

@@ -37,8 +37,13 @@ enum class Technique {
   best_plane,
   psm_recipe,
   psm_divided,
+  psm_two_maps,
   custom
 };
+/// How far the virtual camera steps back (PSM 2002, section 4.2): a number, or the least shift by a rule, after which all of H is
+/// in front of the eye or inside the shifted frustum; `automatic` leaves the rule to the technique.
+enum class ShiftRule { automatic, in_front, inside };
+using CameraShift = std::variant<ShiftRule, double>;
 enum class Filter { none };
 enum class NearFit { off, bounds, depth };
 enum class Focus { bounds, visible };
@@ -78,8 +83,8 @@ struct ShadowSettings {
   Technique technique = Technique::gmnpr;
   int resolution = 1024;  // texels along each side of the map
   Filter filter = Filter::none;
-  double depth_bias = 1.5;             // in texels along the steeper of the two depth slopes of the caster
-  std::optional<double> camera_shift;  // none: auto
+  double depth_bias = 1.5;  // in texels along the steeper of the two depth slopes of the caster
+  CameraShift camera_shift;
   NearFit near_fit = NearFit::bounds;
   Focus focus = Focus::bounds;
   WarpRange warp_range = WarpRange::receivers;
@@ -128,19 +133,19 @@ using IntRef = std::function<int&(Experiment&)>;
 using Vec2Ref = std::function<glm::dvec2&(Experiment&)>;
 using Vec3Ref = std::function<glm::dvec3&(Experiment&)>;
 using TextRef = std::function<std::string&(Experiment&)>;
-using AutoNumberRef = std::function<std::optional<double>&(Experiment&)>;     // "auto" or a number
+using ShiftRef = std::function<CameraShift&(Experiment&)>;                    // a rule's name or a number
 using AutoPlaneRef = std::function<std::optional<glm::dvec4>&(Experiment&)>;  // "auto" or null, or [a, b, c, d]
 
 /// One row: a member that a user can set.
 struct Field {
   std::string path;  // JSON path, such as "camera.near"
-  std::variant<NumberRef, IntRef, Vec2Ref, Vec3Ref, TextRef, AutoNumberRef, AutoPlaneRef, Choice> member;
+  std::variant<NumberRef, IntRef, Vec2Ref, Vec3Ref, TextRef, ShiftRef, AutoPlaneRef, Choice> member;
   std::string unit;                         // "" where there is none; "deg", "texels", "scene units", "px"
   double min = -1e300, max = 1e300;         // of a number or of each component
   bool open_min = false, open_max = false;  // the bound itself is not allowed
   bool may_be_infinite = false;             // "inf" is allowed
   bool nonzero = false;                     // a vector: not the zero vector; a plane: its normal is not
-  std::string absent = "auto";              // the word for "no value" of AutoNumberRef and AutoPlaneRef: "auto" or "null"
+  std::string absent = "auto";              // the word for "no value" of AutoPlaneRef: "auto" or "null"
   std::string help;                         // one sentence
   /// False where the member means nothing for this experiment (a spot's cone while the light is directional).
   std::function<bool(const Experiment&)> applies = [](const Experiment&) { return true; };
@@ -170,7 +175,11 @@ std::optional<InputError> check_experiment(const Experiment& experiment);
 const char* name_of(LightType);
 const char* name_of(Technique);
 const char* name_of(ViewId);
+const char* name_of(ShiftRule);
 std::vector<std::string> technique_names();
+std::optional<ShiftRule> shift_rule_from_name(const std::string& name);
+/// Whether the technique looks from a shifted eye.
+bool shifts_camera(Technique);
 std::optional<Technique> technique_from_name(const std::string& name);
 
 }  // namespace psm

@@ -126,11 +126,12 @@ struct ReadJson {
     ref(experiment) = json.get<std::string>();
     return true;
   }
-  bool operator()(const AutoNumberRef& ref) const {
+  bool operator()(const ShiftRef& ref) const {
+    const auto rule = json.is_string() ? shift_rule_from_name(json.get<std::string>()) : std::nullopt;
+    if (rule) return ref(experiment) = *rule, true;
     const auto number = number_in(json);
-    if (!number && !is_absent()) return false;
-    ref(experiment) = number;
-    return true;
+    if (number) ref(experiment) = *number;
+    return number.has_value();
   }
   bool operator()(const AutoPlaneRef& ref) const {
     glm::dvec4 plane;
@@ -190,9 +191,10 @@ struct MemberNode {
   JsonNode operator()(const Vec2Ref& ref) const { return ref(experiment); }
   JsonNode operator()(const Vec3Ref& ref) const { return ref(experiment); }
   JsonNode operator()(const TextRef& ref) const { return ref(experiment); }
-  JsonNode operator()(const AutoNumberRef& ref) const {
-    const auto& value = ref(experiment);
-    return value ? JsonNode(*value) : absent();
+  JsonNode operator()(const ShiftRef& ref) const {
+    const CameraShift& shift = ref(experiment);
+    const double* value = std::get_if<double>(&shift);
+    return value ? JsonNode(*value) : JsonNode(name_of(std::get<ShiftRule>(shift)));
   }
   JsonNode operator()(const AutoPlaneRef& ref) const {
     const auto& value = ref(experiment);

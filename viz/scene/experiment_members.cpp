@@ -59,11 +59,11 @@ struct ReadText {
   bool operator()(const Vec2Ref& ref) const { return read_list<2>(text, ref(experiment)); }
   bool operator()(const Vec3Ref& ref) const { return read_list<3>(text, ref(experiment)); }
   bool operator()(const TextRef& ref) const { return ref(experiment) = text, true; }
-  bool operator()(const AutoNumberRef& ref) const {
+  bool operator()(const ShiftRef& ref) const {
+    if (const auto rule = shift_rule_from_name(text)) return ref(experiment) = *rule, true;
     const auto number = number_from_text(text);
-    if (!number && text != field.absent) return false;
-    ref(experiment) = number;
-    return true;
+    if (number) ref(experiment) = *number;
+    return number.has_value();
   }
   bool operator()(const AutoPlaneRef& ref) const {
     glm::dvec4 plane;

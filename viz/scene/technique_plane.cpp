@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One vanishing plane per technique, and the two mappings of the 2002 paper and its web page that are no plane.
+// One vanishing plane per technique, and the mappings of the 2002 paper and its web page that are no plane.
 #include <algorithm>
 #include <cmath>
 
@@ -107,8 +107,41 @@ dmat4 shifted_clip(const Stages& s, double shift) {
   return perspective(eye.tan_x, eye.tan_y, s.near, s.far + shift) * eye.view_from_world();
 }
 
+/// The least shift after which all of H is in front of the eye, or inside the shifted frustum.
+double least_shift(const Stages& s, const Analysis& a, ShiftRule rule) {
+  std::vector<dvec3> in_view;
+  std::vector<double> depths;
+  for (const dvec3& p : a.caster_body.vertices) {
+    depths.push_back(s.view.depth(p));
+    in_view.push_back({glm::dot(s.view.right, p - s.view.eye), glm::dot(s.view.up, p - s.view.eye), depths.back()});
+  }
+  return rule == ShiftRule::inside ? shift_inside<double>(in_view, s.near, s.view.tan_x, s.view.tan_y)
+                                   : shift_in_front<double>(depths, s.near);
+}
+
+/// What the papers' own mappings need; the one rule needs none, and two maps are there to do without.
+ShiftRule automatic_rule(Technique technique) {
+  if (technique == Technique::psm_recipe) return ShiftRule::inside;
+  return technique == Technique::psm_divided ? ShiftRule::in_front : ShiftRule::automatic;
+}
+
+void set_camera_shift(const Stages& s, Analysis& a) {
+  const CameraShift& asked = s.x.shadow.camera_shift;
+  const Technique technique = s.x.shadow.technique;
+  const double* number = std::get_if<double>(&asked);
+  if (!shifts_camera(technique)) {
+    if (asked != CameraShift())
+      note(a, "camera_shift_unused", "Only psm, psm_divided and psm_recipe look from a shifted eye.",
+           number ? std::optional(*number) : std::nullopt);
+    return;
+  }
+  if (a.receivers_body.empty()) return;  // nothing is fitted, and the cube stays the eye's own
+  ShiftRule rule = number ? ShiftRule::automatic : std::get<ShiftRule>(asked);
+  if (rule == ShiftRule::automatic) rule = automatic_rule(technique);
+  a.camera_shift = number ? *number : rule == ShiftRule::automatic ? 0.0 : least_shift(s, a, rule);
+}
+
 dvec4 plane_of_psm(Stages& s, Analysis& a, std::span<const dvec3> receivers) {
-  a.camera_shift = s.x.shadow.camera_shift.value_or(0.0);
   const auto psm = psm_plane(shifted_clip(s, a.camera_shift), s.light, receivers);
   if (psm.turned > 0)
     note(a, "aim_turned", "Looking at the cube's centre would leave receivers behind the light's plane: the aim is turned.",
@@ -132,19 +165,7 @@ dvec4 plane_of_custom(Stages& s, Analysis& a) {
   return glm::dot(p, dvec4(s.centroid, 1)) < 0 ? -p : p;
 }
 
-/// The shift that the papers' own mappings need: all of H in front of the eye, or inside the shifted frustum.
-double automatic_shift(const Stages& s, const Analysis& a, bool inside_frustum) {
-  std::vector<dvec3> in_view;
-  std::vector<double> depths;
-  for (const dvec3& p : a.caster_body.vertices) {
-    depths.push_back(s.view.depth(p));
-    in_view.push_back({glm::dot(s.view.right, p - s.view.eye), glm::dot(s.view.up, p - s.view.eye), depths.back()});
-  }
-  return inside_frustum ? shift_inside<double>(in_view, s.near, s.view.tan_x, s.view.tan_y)
-                        : shift_in_front<double>(depths, s.near);
-}
-
-void note_variant(Analysis& a, const VariantMap<double>& m) {
+const dmat4& with_notes(Analysis& a, const VariantMap<double>& m) {
   a.reversed_depth = m.reversed_depth;
   if (m.reversed_depth)
     note(a, "depth_test_reversed", "The light, divided by its negative w, is inverted: the depth test is reversed.",
@@ -153,6 +174,11 @@ void note_variant(Analysis& a, const VariantMap<double>& m) {
   if (m.behind_light)
     note(a, "recipe_cube_behind_light",
          "Looking at the cube's centre leaves part of the cube behind the light: smallest w over largest.", m.smallest_w, 0.0);
+  return m.map_from_world;
+}
+
+bool breaks_the_rule(Technique technique) {
+  return technique == Technique::psm_recipe || technique == Technique::psm_divided || technique == Technique::psm_two_maps;
 }
 
 }  // namespace
@@ -160,28 +186,33 @@ void note_variant(Analysis& a, const VariantMap<double>& m) {
 dvec4 technique_plane(Stages& s, Analysis& a, std::span<const dvec3> receivers) {
   const Technique technique = s.x.shadow.technique;
   a.technique_used = technique;
-  if (s.x.shadow.camera_shift && technique != Technique::psm)
-    note(a, "camera_shift_unused", "Only psm, psm_divided and psm_recipe look from a shifted eye.", *s.x.shadow.camera_shift);
+  set_camera_shift(s, a);
   if (const auto warp = warp_of(technique)) return plane_of_warp(*warp, s, a, receivers);
   if (technique == Technique::psm) return plane_of_psm(s, a, receivers);
   if (technique == Technique::custom) return plane_of_custom(s, a);
-  note(a, "technique_not_built", std::string("Technique ") + name_of(technique) + " is not built yet: the uniform map is used.");
+  if (!breaks_the_rule(technique))  // one of those comes here only where nothing is visible, which has a note of its own
+    note(a, "technique_not_built",
+         std::string("Technique ") + name_of(technique) + " is not built yet: the uniform map is used.");
   a.technique_used = Technique::uniform;
   return s.uniform;
 }
 
 std::optional<dmat4> rule_breaking_map(Stages& s, Analysis& a, std::span<const dvec3> receivers) {
   const Technique technique = s.x.shadow.technique;
-  if (technique != Technique::psm_recipe && technique != Technique::psm_divided) return {};
-  const bool recipe = technique == Technique::psm_recipe;
+  if (!breaks_the_rule(technique)) return {};
   a.technique_used = technique;
-  a.camera_shift = s.x.shadow.camera_shift ? *s.x.shadow.camera_shift : automatic_shift(s, a, recipe);
+  set_camera_shift(s, a);
   const dmat4 clip = shifted_clip(s, a.camera_shift);
-  const VariantMap<double> map =
-      recipe ? recipe_map(clip, s.light)
-             : divided_map<double>(s.frame, psm_plane(clip, s.light, receivers).plane, clip, receivers, a.depth_body.vertices);
-  note_variant(a, map);
-  return map.map_from_world;
+  if (technique == Technique::psm_recipe) return with_notes(a, recipe_map(clip, s.light));
+  const dvec4 plane = psm_plane(clip, s.light, receivers).plane;
+  const std::span<const dvec3> casters(a.depth_body.vertices);
+  if (technique == Technique::psm_divided) return with_notes(a, divided_map<double>(s.frame, plane, clip, receivers, casters));
+  const TwoMaps<double> maps = two_maps<double>(s.frame, plane, clip, receivers, casters);
+  a.map_beyond_from_world = maps.beyond;
+  if (!maps.beyond)
+    note(a, "one_map_enough", "No caster stands behind the eye: nothing is beyond the infinity plane, and one map is drawn.",
+         value_range(row(clip, 3), casters).min, 0.0);
+  return with_notes(a, maps.front);
 }
 
 }  // namespace psm

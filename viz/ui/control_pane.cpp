@@ -16,7 +16,7 @@ namespace {
 // Short names at the left, long ones at the right.
 constexpr std::array offered = {Technique::uniform,     Technique::psm,        Technique::lispsm,  Technique::lispsm_reference,
                                 Technique::glpr,        Technique::gmnpr,      Technique::minimax, Technique::minimax_frustum,
-                                Technique::psm_divided, Technique::psm_recipe, Technique::custom};
+                                Technique::psm_divided, Technique::psm_recipe, Technique::custom,  Technique::psm_two_maps};
 constexpr int technique_rows = int(offered.size() + 1) / 2;
 
 const char* explanation(Technique technique) {
@@ -39,6 +39,9 @@ const char* explanation(Technique technique) {
       return "minimax_frustum: the least maximum of E over the whole frustum.";
     case Technique::psm_divided:
       return "psm_divided: PSM with the light divided by its w and the depth test reversed where w < 0, after the camera shift "
+             "(2002 paper).";
+    case Technique::psm_two_maps:
+      return "psm_two_maps: PSM divided without a shift: what stands behind the eye has a second map, beyond the infinity plane "
              "(2002 paper).";
     case Technique::psm_recipe:
       return "psm_recipe: look at the cube's centre, opening angle around the cube (the paper's web page); its failures are "
@@ -177,6 +180,8 @@ const char* display_name(Technique technique) {
       return "PSM recipe";
     case Technique::psm_divided:
       return "PSM divided";
+    case Technique::psm_two_maps:
+      return "PSM two maps";
     case Technique::custom:
       return "Custom";
   }

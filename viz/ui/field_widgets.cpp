@@ -119,11 +119,26 @@ struct RowWidgets {
     note_place(ui, field.path + ".absent");
     if (value) draw(*value);
   }
-  void operator()(const AutoNumberRef& ref) const {
-    or_absent(ref(experiment), ui.model.analysis().camera_shift, [this](double& x) {
-      ImGui::SameLine();
-      component(x, 0, field.path, ImGui::GetContentRegionAvail().x - reset_width());
-    });
+  /// The rules and "number" to choose from; a number begins at the shift in use.
+  void operator()(const ShiftRef& ref) const {
+    CameraShift& shift = ref(experiment);
+    double* number = std::get_if<double>(&shift);
+    ImGui::SetNextItemWidth(number ? std::floor(0.5f * width) : width);
+    const bool open = ImGui::BeginCombo("##rule", number ? "number" : name_of(std::get<ShiftRule>(shift)));
+    note_place(ui, field.path + ".rule");
+    if (open) {
+      const auto item = [&](const char* name, bool current, const CameraShift& value) {
+        if (ImGui::Selectable(name, current)) shift = value;
+        note_place(ui, field.path + "=" + name);
+      };
+      for (ShiftRule rule : {ShiftRule::automatic, ShiftRule::in_front, ShiftRule::inside})
+        item(name_of(rule), shift == CameraShift(rule), rule);
+      item("number", number != nullptr, ui.model.analysis().camera_shift);
+      ImGui::EndCombo();
+    }
+    if (!(number = std::get_if<double>(&shift))) return;
+    ImGui::SameLine();
+    component(*number, 0, field.path, ImGui::GetContentRegionAvail().x - reset_width());
   }
   void operator()(const AutoPlaneRef& ref) const {
     // The plane in use is the best start for one to drag.

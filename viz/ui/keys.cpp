@@ -16,7 +16,7 @@ const std::vector<KeyBinding>& key_bindings() {
       {'F', none, Action::fit_views, "F", "views back to where they show everything"},
       {'T', none, Action::technique_next, "T", "next technique"},
       {'T', shift, Action::technique_previous, "Shift+T", "previous technique"},
-      {'A', none, Action::play_camera_shift, "A", "play the camera shift of PSM divided and PSM recipe, from 0"},
+      {'A', none, Action::play_camera_shift, "A", "play the camera shift of the PSM techniques, from 0"},
       {'R', none, Action::reset, "R", "experiment back to how it was opened"},
       {'Z', control, Action::undo, "Ctrl+Z", "undo"},
       {'Y', control, Action::redo, "Ctrl+Y", "redo"},

@@ -31,8 +31,8 @@ struct Clamp {
   }
   void operator()(const Vec2Ref& ref) const { vector(ref(experiment)); }
   void operator()(const Vec3Ref& ref) const { vector(ref(experiment)); }
-  void operator()(const AutoNumberRef& ref) const {
-    if (auto& x = ref(experiment)) number(*x);
+  void operator()(const ShiftRef& ref) const {
+    if (double* x = std::get_if<double>(&ref(experiment))) number(*x);
   }
   void operator()(const AutoPlaneRef& ref) const {
     if (auto& x = ref(experiment)) vector(*x);

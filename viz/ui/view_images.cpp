@@ -41,7 +41,7 @@ ViewSettings FittedOrbits::shown(const Model& model, const ViewSizes& sizes) {
 
 void ViewImages::upload(const Model& model) {
   if (scene_ != model.scene_revision()) renderer_.set_scene(model.scene());
-  if (scene_ != model.scene_revision() || map_ != model.analysis_revision()) renderer_.draw_shadow_map(model.analysis());
+  if (scene_ != model.scene_revision() || map_ != model.analysis_revision()) renderer_.update_shadow_map(model.analysis());
   scene_ = model.scene_revision();
   map_ = model.analysis_revision();
 }

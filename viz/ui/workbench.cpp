@@ -144,8 +144,8 @@ void Workbench::move_camera_shift(Frame& f) {
   if (f.edited.shadow.camera_shift != shift_play_->last) return shift_play_.reset();
   constexpr double seconds = 0.6;
   const double t = std::clamp((f.now - shift_play_->start) / seconds, 0.0, 1.0);
-  f.edited.shadow.camera_shift = shift_play_->last =
-      t < 1.0 ? t * t * (3.0 - 2.0 * t) * shift_play_->end_shift : shift_play_->end_shift;
+  const double eased = t < 1.0 ? t * t * (3.0 - 2.0 * t) : 1.0;
+  f.edited.shadow.camera_shift = shift_play_->last = eased * shift_play_->end_shift;
   f.tag = "play camera shift";
   wake();
   if (t == 1.0) shift_play_.reset();

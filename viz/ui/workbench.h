@@ -31,8 +31,8 @@ struct WorkbenchOptions {
 
 /// The camera shift on its way from 0 to the automatic value.
 struct ShiftPlay {
-  double start, end_shift;     // start in seconds
-  std::optional<double> last;  // what it set last: anything else means that the user has taken over
+  double start, end_shift;  // start in seconds
+  CameraShift last;         // what it set last: anything else means that the user has taken over
 };
 
 /// Needs a current OpenGL context and a current ImGui context.
@@ -117,6 +117,7 @@ class Workbench {
   ViewDrag drag_;
   LightControls light_;
   std::optional<ShiftPlay> shift_play_;
+  ShiftRule played_rule_ = ShiftRule::automatic;
   Dialogs dialogs_;
   Requests requests_;
   Places places_;

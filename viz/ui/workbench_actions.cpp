@@ -147,16 +147,17 @@ void Workbench::change_technique(int step) {
 }
 
 void Workbench::play_camera_shift() {
-  Experiment automatic = model_.experiment();
-  const Technique technique = automatic.shadow.technique;
-  if (technique != Technique::psm_divided && technique != Technique::psm_recipe) {
-    message_ = "only PSM divided and PSM recipe shift the camera";
+  Experiment ruled = model_.experiment();
+  if (!shifts_camera(ruled.shadow.technique)) {
+    message_ = "only PSM, PSM divided and PSM recipe shift the camera";
     return;
   }
-  automatic.shadow.camera_shift.reset();
-  const double shift = analyze(automatic, model_.scene()).camera_shift;
+  // A shift that has been played, or set by hand, is a number: the rule that was last seen is played again.
+  if (const ShiftRule* rule = std::get_if<ShiftRule>(&ruled.shadow.camera_shift)) played_rule_ = *rule;
+  ruled.shadow.camera_shift = played_rule_;
+  const double shift = analyze(ruled, model_.scene()).camera_shift;
   if (shift == 0.0) {
-    message_ = "the automatic camera shift is 0 here";
+    message_ = std::string("camera shift ") + name_of(played_rule_) + " is 0 here";
     return;
   }
   model_.end_gesture();
