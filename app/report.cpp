@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The I-th of N, from 0.
+/// The I-th of N, from 0: neighbouring runs, which share truth and uniform maps.
 struct Shard {
   std::size_t index = 0, count = 1;
-  bool has(std::size_t run) const { return run % count == index; }
+  bool has(std::size_t run, std::size_t runs) const { return run * count / runs == index; }
 };
 
 Result<Shard> parse_shard(const std::optional<std::string>& text) {
@@ -61,7 +61,7 @@ Result<bool> measure_missing(const Study& study, const Shard& shard, const std::
   for (const StudyRow& row : finished) have.insert(std::size_t(row.run));
   std::vector<std::size_t> missing;
   for (std::size_t run = 0; run < study.runs.size(); ++run)
-    if (shard.has(run) && !have.count(run)) missing.push_back(run);
+    if (shard.has(run, study.runs.size()) && !have.count(run)) missing.push_back(run);
   if (missing.empty()) return true;
   auto runner = StudyRunner::create(study);
   if (!runner) return runner.error();

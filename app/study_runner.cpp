@@ -17,7 +17,10 @@
 namespace psm {
 namespace {
 
-constexpr double kMicroseconds = 1e6, kDegrees = 57.29577951308232;
+constexpr double kDegrees = 57.29577951308232;
+
+/// To the nanosecond; a time that was not measured does not exist.
+double microseconds(double seconds) { return seconds < 0 ? kNone : std::round(seconds * 1e9) / 1e3; }
 
 double seconds_of(const std::function<void()>& work) {
   using Clock = std::chrono::steady_clock;
@@ -94,14 +97,15 @@ void set_errors(StudyRow& row, const ShadowError& error) {
   row.acne = cause(ErrorCause::acne), row.leak = cause(ErrorCause::leak);
 }
 
+int maps_of(const Analysis& a) { return a.cube_maps_from_world ? 6 : a.map_beyond_from_world ? 2 : 1; }
+
 void set_times(StudyRow& row, const Repeats& repeats) {
   const FrameTimes t = repeats.medians();
-  const auto query = [](double seconds) { return seconds < 0 ? kNone : seconds * kMicroseconds; };
-  row.analysis_us = t.analysis * kMicroseconds, row.bodies_us = t.bodies * kMicroseconds;
-  row.map_us = t.map * kMicroseconds, row.map_gpu_us = query(t.map_gpu);
-  row.eye_us = t.eye * kMicroseconds, row.eye_gpu_us = query(t.eye_gpu);
+  row.analysis_us = microseconds(t.analysis), row.bodies_us = microseconds(t.bodies);
+  row.map_us = microseconds(t.map), row.map_gpu_us = microseconds(t.map_gpu);
+  row.eye_us = microseconds(t.eye), row.eye_gpu_us = microseconds(t.eye_gpu);
   row.timing_runs = repeats.count();
-  row.timing_spread = repeats.spread();
+  row.timing_spread = std::round(repeats.spread() * 1e4) / 1e4;
 }
 
 }  // namespace
@@ -121,7 +125,7 @@ struct StudyRunner::State {
   /// What the map that was drawn last gets wrong.
   ShadowError error_of(const Analysis& analysis, const std::vector<float>& m);
   double uniform_error(const StudyRun& run, int resolution);
-  FrameTimes time_frame(const StudyRun& run, const Experiment& experiment);
+  FrameTimes time_frame(const StudyRun& run, const Experiment& experiment, bool with_eye);
 
   const Study& study;
   std::unique_ptr<HeadlessContext> context;
@@ -168,16 +172,17 @@ double StudyRunner::State::uniform_error(const StudyRun& run, int resolution) {
   return condition.uniform_error[resolution] = error;
 }
 
-FrameTimes StudyRunner::State::time_frame(const StudyRun& run, const Experiment& experiment) {
+FrameTimes StudyRunner::State::time_frame(const StudyRun& run, const Experiment& experiment, bool with_eye) {
   FrameTimes times;
   Analysis analysis;
   times.analysis = seconds_of([&] { analysis = analyzed(run, experiment); });
   times.bodies = seconds_of([&] { make_bodies(analysis); });
   const PassTime map = timer.time([&] { renderer.draw_shadow_map(analysis); });
+  times.map = map.wall, times.map_gpu = map.gpu.value_or(-1);
+  if (!with_eye) return times;
   const ViewPicture picture = plain_eye(analysis);
   const glm::ivec2 size(experiment.image.width, experiment.image.height);
   const PassTime eye = timer.time([&] { renderer.draw_view(picture, analysis, size, 1.0, Theme::light); });
-  times.map = map.wall, times.map_gpu = map.gpu.value_or(-1);
   times.eye = eye.wall, times.eye_gpu = eye.gpu.value_or(-1);
   return times;
 }
@@ -206,7 +211,7 @@ StudyRow StudyRunner::measure(std::size_t index) {
   set_model(row, analysis);
   s.renderer.draw_shadow_map(analysis);
   const double side = s.renderer.map_resolution();
-  row.texels = side * side * (analysis.cube_maps_from_world ? 6 : 1);
+  row.texels = side * side * (s.renderer.map_triangles() > 0 ? maps_of(analysis) : 0);
   if (side < run.resolution) row.notes += (row.notes.empty() ? "" : " ") + std::string("resolution_reduced");
   const std::vector<float> m = texel_sizes(s.condition.image, s.condition.truth, analysis);
   set_texels(row, texel_statistics(m));
@@ -219,7 +224,7 @@ StudyRow StudyRunner::measure(std::size_t index) {
   }
 
   Repeats repeats(s.study.repeats);
-  while (!repeats.enough()) repeats.add(s.time_frame(run, experiment));
+  while (!repeats.enough()) repeats.add(s.time_frame(run, experiment, repeats.wants_eye()));
   set_times(row, repeats);
   row.cpu = s.machine.cpu, row.compiler = s.machine.compiler;
   row.opengl = gl_renderer_name(), row.tracer = s.tracer->engine();

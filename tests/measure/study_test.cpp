@@ -108,13 +108,15 @@ TEST(Pareto, KeepsWhatNobodyBeats) {
 TEST(Repeats, AreEnoughWhenTheyAgreeOrTimeIsUp) {
   EXPECT_EQ(median({3, 1, 2}), 2);
   EXPECT_EQ(relative_spread({1, 2, 3, 4, 5}), 2.0 / 3.0);
-  Repeats steady({3, 10, 0.05, 100});
+  Repeats steady({3, 10, 0.05, 100, 2});
   for (int i = 0; i < 3; ++i) {
     EXPECT_FALSE(steady.enough());
-    steady.add({1, 0.5, 2, -1, 3, -1});
+    EXPECT_EQ(steady.wants_eye(), i < 2);
+    steady.add({1, 0.5, 2, -1, i < 2 ? 3.0 : -1, -1});
   }
   EXPECT_TRUE(steady.enough());
   EXPECT_EQ(steady.medians().map, 2);
+  EXPECT_EQ(steady.medians().eye, 3);
   EXPECT_LT(steady.medians().eye_gpu, 0);
   Repeats restless({3, 10, 0.05, 1000});
   for (int i = 0; i < 10; ++i) {

@@ -14,10 +14,10 @@ h1 { font-size: 1.9em; line-height: 1.2; }
 h2 { font-size: 1.4em; margin-top: 2.2em; border-bottom: 3px solid #0072B2; }
 figure { margin: 1.5em 0; break-inside: avoid; }
 figure svg { width: 100%; height: auto; display: block; }
-figcaption, caption { text-align: left; font-size: 0.85em; color: #444; padding: 0.4em 0; }
+figcaption { font-size: 0.9em; color: #444; padding: 0.4em 0; }
 .wide { overflow-x: auto; }
-table { border-collapse: collapse; font-size: 0.85em; margin: 1em 0; }
-th, td { padding: 0.25em 0.7em; border-bottom: 1px solid #ccc; text-align: right; white-space: nowrap; }
+table { border-collapse: collapse; font-size: 0.85em; margin: 0.3em 0; }
+th, td { padding: 0.25em 0.6em; border-bottom: 1px solid #ccc; text-align: right; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; white-space: normal; }
 thead th { border-bottom: 2px solid #222; vertical-align: bottom; }
 tbody tr:nth-child(even) { background: #f4f6f8; }
@@ -37,10 +37,10 @@ void HtmlPage::heading(const std::string& text) { body_ += "<h2>" + xml_text(tex
 void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + xml_text(text) + "</p>\n"; }
 
 void HtmlPage::table(const HtmlTable& table) {
-  body_ += "<div class=\"wide\"><table>\n<caption>" + xml_text(table.caption) + "</caption>\n<thead>\n";
+  body_ += "<figure>\n<figcaption>" + xml_text(table.caption) + "</figcaption>\n<div class=\"wide\"><table>\n<thead>\n";
   body_ += row_html(table.head, "th", " scope=\"col\"") + "</thead>\n<tbody>\n";
   for (const auto& row : table.rows) body_ += row_html(row, "td", "");
-  body_ += "</tbody>\n</table></div>\n";
+  body_ += "</tbody>\n</table></div>\n</figure>\n";
 }
 
 void HtmlPage::figure(const std::string& svg, const std::string& caption) {

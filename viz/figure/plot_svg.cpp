@@ -167,8 +167,8 @@ std::string curve_svg(const PlotCurve& curve, const Frame& frame) {
 }
 
 struct Label {
-  const PlotCurve* curve;
-  dvec2 end;
+  std::string text, color;
+  dvec2 end;  // of what it names
   double y;
 };
 
@@ -185,16 +185,17 @@ std::string labels_svg(const Plot& plot, const Frame& frame) {
   for (const PlotCurve& curve : plot.curves) {
     const auto parts = stretches(curve, frame);
     if (curve.label.empty() || parts.empty()) continue;
-    labels.push_back({&curve, parts.back().back(), parts.back().back().y});
+    labels.push_back({curve.label, color_text(curve.color), parts.back().back(), parts.back().back().y});
   }
+  for (const PlotLevel& level : plot.levels)
+    labels.push_back({level.label, "#222222", {kPlotRight - 7, frame.y.at(level.y)}, frame.y.at(level.y)});
   spread(labels);
   std::string svg;
   for (const Label& label : labels) {
-    const std::string color = color_text(label.curve->color);
     const dvec2 at{kPlotRight + 40, label.y};
-    svg +=
-        line(label.end + dvec2(7, 0), at - dvec2(6, 0), "stroke=\"" + color + "\" stroke-width=\"1.2\" stroke-dasharray=\"2 3\"");
-    svg += text_at(at.x, at.y + 0.35 * kType, label.curve->label, "font-weight=\"bold\" fill=\"" + color + "\"");
+    svg += line(label.end + dvec2(7, 0), at - dvec2(6, 0),
+                "stroke=\"" + label.color + "\" stroke-width=\"1.2\" stroke-dasharray=\"2 3\"");
+    svg += text_at(at.x, at.y + 0.35 * kType, label.text, "font-weight=\"bold\" fill=\"" + label.color + "\"");
   }
   return svg;
 }
@@ -204,7 +205,6 @@ std::string levels_svg(const Plot& plot, const Frame& frame) {
   for (const PlotLevel& level : plot.levels) {
     const double y = frame.y.at(level.y);
     svg += line({kLeft, y}, {kPlotRight, y}, "stroke=\"#222222\" stroke-width=\"2\" stroke-dasharray=\"2 5\"");
-    svg += text_at(kLeft + 12, y - 8, level.label, "fill=\"#222222\"");
   }
   return svg;
 }

@@ -41,9 +41,11 @@ void write_scene(Writer& w, const std::string& scene, const std::vector<StudyRow
       scene + "_time", error_plot(rows, true),
       "Grey steps: the Pareto front over all techniques, those that are not drawn included: nothing below and to the left of it "
       "was measured. Both axes are logarithmic.");
-  w.plot(scene + "_texels", error_plot(rows, false), "The same errors against the memory that the maps take.");
+  w.plot(scene + "_texels", error_plot(rows, false),
+         "The same errors against the memory that the maps take: texels along the side of a square.");
   w.page.table(error_table(rows));
-  w.page.table(cost_table(rows));
+  w.page.table(cause_table(rows));
+  w.page.table(time_table(rows));
   w.plot(
       scene + "_equal", equal_error_plot(rows),
       "Figure 1 of the 2002 paper as a number. A gap: no uniform map that was tried is as good, or the technique was replaced.");
@@ -53,10 +55,10 @@ void write_scene(Writer& w, const std::string& scene, const std::vector<StudyRow
 
 void write_slab(Writer& w, const std::vector<StudyRow>& slab, const CitedTable& cited) {
   w.page.heading("One scene, all angles: what users could pick instead");
-  w.plot(
-      "one_scene", texel_size_plot(slab),
-      "The eye 1.7 above a slab of 200 x 10 x 200 with its top at y = 0, 60 degrees high, n = 1, f = 100. With rows of the map "
-      "along the horizon no single map of this size goes below the limit. Gaps: the technique was replaced there.");
+  w.plot("one_scene", texel_size_plot(slab),
+         "The eye 1.7 above a slab of 200 x 10 x 200 with its top at y = 0, 60 degrees high, n = 1, f = 100. The limit is "
+         "the image's width over the map's: with rows of the map along the horizon no single map of this size goes below it. "
+         "Gaps: the technique was replaced there.");
   w.page.table(cited_table(cited));
   w.page.table(slab_table(slab, false));
   w.page.table(slab_table(slab, true));

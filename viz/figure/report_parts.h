@@ -30,7 +30,6 @@ std::string shown(double value, int digits = 3);
 /// Of a row; with a star where the technique was replaced.
 std::string shown(const StudyRow* row, double value, int digits = 3);
 std::string percent(double fraction);
-/// "30°", "30° behind" for 150.
 std::string angle(double theta_deg);
 
 /// Colour and dash of a technique's curves; the family has the colour, the member the dash.
@@ -52,7 +51,8 @@ Plot texel_size_plot(const std::vector<StudyRow>& slab);
 Plot closed_form_plot(const std::vector<ClosedFormRow>& rows, const ClosedFormSetting& setting);
 
 HtmlTable error_table(const std::vector<StudyRow>& rows);
-HtmlTable cost_table(const std::vector<StudyRow>& rows);
+HtmlTable cause_table(const std::vector<StudyRow>& rows);
+HtmlTable time_table(const std::vector<StudyRow>& rows);
 HtmlTable equal_error_table(const std::vector<StudyRow>& rows);
 HtmlTable best_plane_table(const std::vector<StudyRow>& rows);
 HtmlTable closed_form_table(const std::vector<ClosedFormRow>& rows, const ClosedFormSetting& setting);

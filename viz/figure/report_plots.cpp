@@ -10,11 +10,9 @@ namespace {
 
 const std::vector<double> kAngleTicks{0, 30, 60, 90, 120, 150, 180};
 
-std::string degrees(double theta_deg) { return shown(theta_deg, 4) + "\u00b0"; }
-
 /// What one row says in a plot of error against cost.
 glm::dvec2 cost_and_error(const StudyRow& row, bool against_time) {
-  return {against_time ? row.shadow_us() / 1000 : row.texels, 100 * row.error_fraction};
+  return {against_time ? row.shadow_us() / 1000 : std::sqrt(row.texels), 100 * row.error_fraction};
 }
 
 /// As steps: with this much to spend, that is the smallest error. A broad band behind the curves.
@@ -58,8 +56,9 @@ Plot error_plot(const std::vector<StudyRow>& rows, bool against_time) {
   Plot plot;
   plot.title = scene_of(rows) + (against_time ? ": error against time" : ": error against texels");
   plot.subtitle =
-      "light at " + degrees(theta) + " to the view; each curve from the smallest map to the largest; " + conditions(here);
-  plot.x = {against_time ? "time of the shadows: analysis and map (ms)" : "texels of the map", true, {}};
+      "light at " + angle(theta) + " to the view; each curve from the smallest map to the largest; " + conditions(here);
+  plot.x = {against_time ? "time of the shadows: analysis and map (ms)" : "texels along the map's side", true, {}};
+  if (!against_time) plot.x.ticks = values_in(here, &StudyRow::resolution);
   plot.y = {"wrong pixels (%)", true, {}};
   plot.curves.push_back(front_curve(here, against_time));
   for (const std::string& technique : names_in(here, &StudyRow::technique)) {
@@ -77,8 +76,9 @@ Plot equal_error_plot(const std::vector<StudyRow>& rows) {
   const auto asked = rows_where(rows, [](const StudyRow& r) { return !std::isnan(r.equal_error_resolution); });
   const double resolution = reference_resolution(asked);
   Plot plot;
-  plot.title = scene_of(rows) + ": how large a uniform map must be for the same error";
-  plot.subtitle = "side of the uniform map over " + shown(resolution, 5) + ", the technique's own; " + conditions(rows);
+  plot.title = scene_of(rows) + ": equal-error resolution";
+  plot.subtitle =
+      "side of the uniform map with the same error, over the technique's " + shown(resolution, 5) + "; " + conditions(rows);
   plot.x = {"angle between view and light (degrees); above 90 the light is behind", false, kAngleTicks};
   plot.y = {"times as large", true, {}};
   for (const std::string& technique : names_in(asked, &StudyRow::technique))
@@ -99,9 +99,7 @@ Plot texel_size_plot(const std::vector<StudyRow>& slab) {
   for (const std::string& technique : names_in(slab, &StudyRow::technique))
     if (in_plots(technique))
       plot.curves.push_back(over_theta(slab, technique, resolution, [](const StudyRow& r) { return r.m_p95; }));
-  if (!slab.empty())
-    plot.levels.push_back(
-        {slab[0].width / resolution, "limit " + shown(slab[0].width / resolution) + ": image width over map width"});
+  if (!slab.empty()) plot.levels.push_back({slab[0].width / resolution, "limit " + shown(slab[0].width / resolution)});
   return plot;
 }
 
@@ -109,7 +107,7 @@ Plot closed_form_plot(const std::vector<ClosedFormRow>& rows, const ClosedFormSe
   Plot plot;
   plot.title = "Largest error on the central line: closed forms and maps";
   plot.subtitle = "lines: closed forms (psm: its maps); dots: measured in the maps; n = " + shown(setting.near) +
-                  ", f = " + shown(setting.far) + ", phi = " + degrees(setting.phi_deg) + ", receivers fill the frustum";
+                  ", f = " + shown(setting.far) + ", phi = " + angle(setting.phi_deg) + ", receivers fill the frustum";
   plot.x = {"angle between view and light (degrees)", false, {0, 15, 30, 45, 60, 75, 90}};
   plot.y = {"E = F sin(theta)", true, {}};
   PlotCurve bound;

@@ -24,6 +24,7 @@ constexpr std::array kStyles{Style{"uniform", 0x222222, "", true},
                              Style{"psm_recipe", 0xD55E00, "10 5", false},
                              Style{"psm_divided", 0xD55E00, "3 5", false},
                              Style{"psm_two_maps", 0xD55E00, "1 4", false},
+                             Style{"psm_two_maps", 0xD55E00, "12 4 3 4", false},
                              Style{"lispsm", 0x0072B2, "10 5", true},
                              Style{"lispsm_reference", 0x0072B2, "3 5", false},
                              Style{"gmnpr", 0x0072B2, "", true},
@@ -90,11 +91,14 @@ std::string shown(const StudyRow* row, double value, int digits) {
   return shown(value, digits) + (as_asked(*row) ? "" : "*");
 }
 
-std::string percent(double fraction) { return shown(100 * fraction, 3); }
-
-std::string angle(double theta_deg) {
-  return theta_deg > 90 ? shown(180 - theta_deg, 4) + "\u00b0 behind" : shown(theta_deg, 4) + "\u00b0";
+std::string percent(double fraction) {
+  if (!std::isfinite(fraction)) return shown(fraction);
+  char text[40];
+  std::snprintf(text, sizeof text, std::abs(fraction) < 0.1 ? "%.3f" : "%.1f", 100 * fraction);
+  return text;
 }
+
+std::string angle(double theta_deg) { return shown(theta_deg, 4) + "\u00b0"; }
 
 PlotCurve technique_curve(const std::string& technique) {
   PlotCurve curve;

@@ -58,33 +58,62 @@ HtmlTable error_table(const std::vector<StudyRow>& rows) {
     std::vector<std::string> line{technique};
     for (const double resolution : resolutions) {
       const StudyRow* row = find_row(rows, technique, resolution, theta);
-      line.push_back(row && row->compared > 0 ? shown(row, 100 * row->error_fraction) : "\u2013");
+      line.push_back(row && row->compared > 0 ? percent(row->error_fraction) + (as_asked(*row) ? "" : "*") : "\u2013");
     }
     table.rows.push_back(std::move(line));
   }
   return table;
 }
 
-HtmlTable cost_table(const std::vector<StudyRow>& rows) {
+namespace {
+
+/// One line a technique at the angle and the resolution that stand for all.
+template <class Cells>
+HtmlTable reference_table(const std::vector<StudyRow>& rows, const std::string& what, const std::vector<std::string>& head,
+                          Cells cells) {
   const double theta = reference_theta(rows), resolution = reference_resolution(rows);
   HtmlTable table;
-  table.caption = "Errors by cause (percent of compared pixels), texel sizes m (pixels) and times (microseconds, medians) at " +
-                  angle(theta) + ", map " + texels(resolution) + "; " + conditions(rows) +
-                  ". Bodies (R, H and H_R) are part of the analysis, timed beside it; map and eye by the wall clock until all is "
-                  "drawn, and by the driver's timer query." +
-                  kStar;
-  table.head = {"technique", "resolution", "acne", "leak",       "outside", "m median",   "m 95 %", "m > 1 (%)",
-                "analysis",  "bodies",     "map",  "map, query", "eye",     "eye, query", "runs",   "spread (%)"};
+  table.caption = what + " at " + angle(theta) + ", map " + texels(resolution) + "; " + conditions(rows) + "." + kStar;
+  table.head = head;
   for (const std::string& technique : names_in(rows, &StudyRow::technique)) {
     const StudyRow* row = find_row(rows, technique, resolution, theta);
     if (!row) continue;
-    const StudyRow& r = *row;
-    table.rows.push_back({technique + (as_asked(r) ? "" : "*"), share(r, r.by_resolution), share(r, r.acne), share(r, r.leak),
-                          share(r, r.outside), shown(r.m_p50), shown(r.m_p95), percent(r.undersampled), shown(r.analysis_us),
-                          shown(r.bodies_us), shown(r.map_us, 4), shown(r.map_gpu_us, 4), shown(r.eye_us, 4),
-                          shown(r.eye_gpu_us, 4), shown(r.timing_runs), shown(100 * r.timing_spread, 2)});
+    std::vector<std::string> line = cells(*row);
+    line.insert(line.begin(), technique + (as_asked(*row) ? "" : "*"));
+    table.rows.push_back(std::move(line));
   }
   return table;
+}
+
+}  // namespace
+
+HtmlTable cause_table(const std::vector<StudyRow>& rows) {
+  return reference_table(rows, "Wrong pixels by cause, in percent of compared pixels, and texel sizes m in pixels",
+                         {"technique", "resolution", "acne", "leak", "outside", "m median", "m 95 %", "m largest", "m > 1 (%)"},
+                         [](const StudyRow& r) -> std::vector<std::string> {
+                           return {share(r, r.by_resolution),
+                                   share(r, r.acne),
+                                   share(r, r.leak),
+                                   share(r, r.outside),
+                                   shown(r.m_p50),
+                                   shown(r.m_p95),
+                                   shown(r.m_max),
+                                   percent(r.undersampled)};
+                         });
+}
+
+HtmlTable time_table(const std::vector<StudyRow>& rows) {
+  return reference_table(
+      rows,
+      "Times in microseconds, medians: the analysis, of which the bodies R, H and H_R (timed beside it); map and eye by the wall "
+      "clock until all is drawn, and by the driver's timer query. Spread: the quartiles' distance over the median, of analysis "
+      "and "
+      "map together;",
+      {"technique", "analysis", "bodies", "map", "map, query", "eye", "eye, query", "runs", "spread (%)"},
+      [](const StudyRow& r) -> std::vector<std::string> {
+        return {shown(r.analysis_us), shown(r.bodies_us),     shown(r.map_us, 4),   shown(r.map_gpu_us, 4),
+                shown(r.eye_us, 4),   shown(r.eye_gpu_us, 4), shown(r.timing_runs), shown(100 * r.timing_spread, 2)};
+      });
 }
 
 HtmlTable equal_error_table(const std::vector<StudyRow>& rows) {
@@ -94,8 +123,10 @@ HtmlTable equal_error_table(const std::vector<StudyRow>& rows) {
   HtmlTable table;
   table.caption = "Equal-error resolution: the smallest uniform map with no larger error than the technique's of " +
                   texels(resolution) +
-                  ", found by bisection, and how many times larger its side is; none: not even the "
-                  "largest uniform map tried. Columns: angle between view and light; " +
+                  ", found by bisection (to a 64th; errors jump a little with where texels lie, so that uniform itself is not "
+                  "exactly 1), and how "
+                  "many times larger its side is; none: not even the "
+                  "largest uniform map tried. Columns: angle between view and light, above 90\u00b0 behind; " +
                   conditions(rows) + "." + kStar;
   table.head = angle_head("technique", angles);
   fill_over_angles(table, asked, resolution, angles, equal_error_text);
@@ -108,8 +139,9 @@ HtmlTable best_plane_table(const std::vector<StudyRow>& rows) {
   HtmlTable table;
   table.caption =
       "How far from the best single vanishing plane: 95th percentile of m over that of best_plane (1: as good), map " +
-      texels(resolution) + "; below 1: the search missed a better plane. Last line: m of best_plane itself in pixels. " +
-      "Columns: angle between view and light." + kStar;
+      texels(resolution) +
+      "; below 1: better at this percentile than the plane that the search found. In best_plane's line its own m in pixels. " +
+      "Columns: angle between view and light, above 90\u00b0 behind." + kStar;
   table.head = angle_head("technique", angles);
   const auto best = [&](double theta) { return find_row(rows, "best_plane", resolution, theta); };
   fill_over_angles(table, rows, resolution, angles, [&](const StudyRow* row) -> std::string {

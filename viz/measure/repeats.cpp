@@ -25,7 +25,7 @@ double relative_spread(std::vector<double> values) {
 
 void Repeats::add(const FrameTimes& times) {
   runs_.push_back(times);
-  spent_ += times.all() + times.bodies;
+  spent_ += times.analysis + times.bodies + times.map + std::max(times.eye, 0.0);
 }
 
 bool Repeats::enough() const {
@@ -33,12 +33,25 @@ bool Repeats::enough() const {
   return count() >= limits_.most || spent_ >= limits_.seconds || spread() <= limits_.spread;
 }
 
+double Repeats::median_of(double FrameTimes::*stage) const {
+  std::vector<double> values;
+  for (const FrameTimes& run : runs_)
+    if (run.*stage >= 0) values.push_back(run.*stage);
+  return values.empty() ? -1 : median(std::move(values));
+}
+
 FrameTimes Repeats::medians() const {
   FrameTimes m;
   for (const auto stage : {&FrameTimes::analysis, &FrameTimes::bodies, &FrameTimes::map, &FrameTimes::map_gpu, &FrameTimes::eye,
                            &FrameTimes::eye_gpu})
-    m.*stage = median(of(stage));
+    m.*stage = median_of(stage);
   return m;
+}
+
+double Repeats::spread() const {
+  std::vector<double> values;
+  for (const FrameTimes& run : runs_) values.push_back(run.analysis + run.map);
+  return relative_spread(std::move(values));
 }
 
 }  // namespace psm

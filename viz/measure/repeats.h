@@ -2,7 +2,6 @@
 // Times of the stages of one frame, repeated until their median can be trusted.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 namespace psm {
@@ -12,33 +11,30 @@ double median(std::vector<double> values);
 /// Distance of the quartiles over the median; 0 where the median is.
 double relative_spread(std::vector<double> values);
 
-/// Seconds; a negative gpu time: no timer query.
+/// Seconds; negative: not measured.
 struct FrameTimes {
-  double analysis = 0, bodies = 0, map = 0, map_gpu = -1, eye = 0, eye_gpu = -1;
-  double all() const { return analysis + map + eye; }
+  double analysis = 0, bodies = 0, map = 0, map_gpu = -1, eye = -1, eye_gpu = -1;
 };
 
 class Repeats {
  public:
   struct Limits {
     int fewest = 5, most = 15;
-    double spread = 0.05, seconds = 0.4;  // enough: a spread that small, or that much time spent
+    double spread = 0.05, seconds = 0.3;  // enough: a spread that small, or that much time spent
+    int eyes = 3;                         // the eye's image costs much and hardly depends on the map: it is drawn this often
   };
   explicit Repeats(const Limits& limits) : limits_(limits) {}
   void add(const FrameTimes& times);
   bool enough() const;
+  bool wants_eye() const { return count() < limits_.eyes; }
+  /// Of each stage over the runs that measured it.
   FrameTimes medians() const;
-  double spread() const { return relative_spread(of(&FrameTimes::analysis, &FrameTimes::map, &FrameTimes::eye)); }
+  /// Of what the shadows cost: analysis and map.
+  double spread() const;
   int count() const { return int(runs_.size()); }
 
  private:
-  /// Of each run the sum of these stages.
-  template <class... Stages>
-  std::vector<double> of(Stages... stages) const {
-    std::vector<double> values;
-    for (const FrameTimes& run : runs_) values.push_back((std::invoke(stages, run) + ...));
-    return values;
-  }
+  double median_of(double FrameTimes::*stage) const;
 
   Limits limits_;
   std::vector<FrameTimes> runs_;

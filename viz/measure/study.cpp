@@ -107,7 +107,8 @@ std::vector<Technique> techniques_to_compare() {
 Study default_study(bool quick) {
   Study study;
   const ImageSettings image = quick ? ImageSettings{160, 90} : ImageSettings{640, 360};
-  const std::vector<double> theta = quick ? std::vector<double>{90, 30} : std::vector<double>{90, 60, 45, 30, 15, 5, 120, 150};
+  // Not 90: there the shadows of upright things run along the rows of texels, and errors say more about the rows than the map.
+  const std::vector<double> theta = quick ? std::vector<double>{80, 30} : std::vector<double>{80, 60, 45, 30, 15, 5, 120, 150};
   const std::vector<Technique> techniques =
       quick ? std::vector<Technique>{Technique::uniform, Technique::psm, Technique::gmnpr, Technique::best_plane}
             : techniques_to_compare();
@@ -116,7 +117,7 @@ Study default_study(bool quick) {
     sweep.resolutions = {256, 512};
     sweep.equal_error_at = 256;
     study.equal_error = {16, 2048, 1.0 / 16};
-    study.repeats = {3, 3, 0.05, 0.2};
+    study.repeats = {3, 3, 0.05, 0.2, 1};
   }
   for (const std::string& id : builtin_scene_ids()) {
     if (quick && id != "ground") continue;

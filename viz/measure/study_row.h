@@ -38,7 +38,8 @@ struct StudyRow {
   // The uniform map with no larger error: texels along its side; infinite: none as large as the study goes.
   double equal_error_resolution = kNone;
 
-  // Microseconds, medians of `timing_runs`; `spread` is the quartiles' distance over the median, of all stages together.
+  // Microseconds, medians of `timing_runs` (eye: of up to 3); `spread`: the quartiles' distance over the median, of analysis and
+  // map together.
   double analysis_us = kNone, bodies_us = kNone, map_us = kNone, map_gpu_us = kNone, eye_us = kNone, eye_gpu_us = kNone;
   double timing_runs = kNone, timing_spread = kNone;
 
