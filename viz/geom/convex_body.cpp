@@ -67,7 +67,15 @@ ConvexBody box_body(const glm::dvec3& min, const glm::dvec3& max) {
                            {0, 0, 1, -min.z, PlaneId::min_z}, {0, 0, -1, max.z, PlaneId::max_z}};
   ConvexBody::Corner corners[8];
   for (int i = 0; i < 8; ++i) corners[i] = box_corner(i);
-  return SimplePolytope(planes, corners).to_body();
+  if (!(min.x < max.x && min.y < max.y && min.z < max.z)) return SimplePolytope(planes, corners).to_body();
+  ConvexBody box;
+  box.dimension = 3;
+  box.planes.assign(planes, planes + 6);
+  box.corners.assign(corners, corners + 8);
+  box.vertices.reserve(8);
+  for (int i = 0; i < 8; ++i) box.vertices.push_back({i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z});
+  box.facets = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  return box;
 }
 
 ConvexBody clip(const ConvexBody& body, std::span<const Plane> planes) {

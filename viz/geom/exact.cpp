@@ -2,6 +2,8 @@
 #include "geom/exact.h"
 
 #include <CGAL/Mpzf.h>
+
+#include "geom/filter.h"
 #ifndef CGAL_HAS_MPZF
 #include <CGAL/MP_Float.h>
 #endif
@@ -96,7 +98,7 @@ int exact_side(const Plane& p, const glm::dvec4& light) {
     if (light.w == 1 && glm::dvec3(light) == p.anchor) return (p.offset > 0) - (p.offset < 0);
     const glm::dvec3 n(p), l(light), a = light.w * p.anchor;
     const double value = glm::dot(n, l - a) + light.w * p.offset;
-    const double bound = 1e-15 * (glm::dot(glm::abs(n), glm::abs(l) + glm::abs(a)) + std::abs(light.w * p.offset));
+    const double bound = 1e-15 * (glm::dot(absolute(n), absolute(l) + absolute(a)) + std::abs(light.w * p.offset));
     if (value > bound && bound > 1e-290) return 1;
     if (value < -bound && bound > 1e-290) return -1;
   }

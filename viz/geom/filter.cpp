@@ -16,22 +16,13 @@ double scale_of(const glm::dvec4& p) {
   return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1000, 1000));
 }
 
-/// 3x3 minors of rows a, b, c, and the same with all signs positive.
-struct Minors2 {
-  double xy, xz, xw, yz, yw, zw;
-};
-Minors2 minors(const glm::dvec4& a, const glm::dvec4& b, double sign) {
-  return {a.x * b.y + sign * (a.y * b.x), a.x * b.z + sign * (a.z * b.x), a.x * b.w + sign * (a.w * b.x),
-          a.y * b.z + sign * (a.z * b.y), a.y * b.w + sign * (a.w * b.y), a.z * b.w + sign * (a.w * b.z)};
-}
-
 }  // namespace
 
 glm::dvec4 magnitude_of(const Plane& p) {
-  const glm::dvec3 n = glm::abs(glm::dvec3(p));
-  if (!p.edge) return {n, std::abs(p.offset) + glm::dot(n, glm::abs(p.anchor))};
+  const glm::dvec3 n = absolute(p);
+  if (!p.edge) return {n, std::abs(p.offset) + glm::dot(n, absolute(p.anchor))};
   const auto& [kept, dropped, light] = *p.edge;
-  const glm::dvec4 i = magnitude_of(kept), j = magnitude_of(dropped), l = glm::abs(light);
+  const glm::dvec4 i = magnitude_of(kept), j = magnitude_of(dropped), l(absolute(light), std::abs(light.w));
   // An error of 16 u in i and j makes at most 43 u here.
   const double nested = kept.edge || dropped.edge ? 3.0 : 1.0;
   return nested * (dot4(i, l) * j + dot4(j, l) * i);
@@ -43,19 +34,6 @@ FilterPlane filter_plane(const Plane& p) {
   const double largest = std::max({f.magnitude.x, f.magnitude.y, f.magnitude.z, f.magnitude.w});
   if (!(largest < 1e100)) f.magnitude = glm::dvec4(std::numeric_limits<double>::infinity());  // everything is decided exactly
   return f;
-}
-
-FilterCorner filter_corner(const FilterPlane& a, const FilterPlane& b, const FilterPlane& c) {
-  const Minors2 m = minors(a.value, b.value, -1.0);
-  const glm::dvec4& v = c.value;
-  FilterCorner out;
-  out.value = {(v.z * m.yw - v.y * m.zw) - v.w * m.yz, (v.x * m.zw - v.z * m.xw) + v.w * m.xz,
-               (v.y * m.xw - v.x * m.yw) - v.w * m.xy, (v.x * m.yz - v.y * m.xz) + v.z * m.xy};
-  const Minors2 p = minors(a.magnitude, b.magnitude, 1.0);
-  const glm::dvec4& w = c.magnitude;
-  out.magnitude = {(w.z * p.yw + w.y * p.zw) + w.w * p.yz, (w.x * p.zw + w.z * p.xw) + w.w * p.xz,
-                   (w.y * p.xw + w.x * p.yw) + w.w * p.xy, (w.x * p.yz + w.y * p.xz) + w.z * p.xy};
-  return out;
 }
 
 void SharedParts::annotate(const Plane& plane, FilterPlane& filtered) {

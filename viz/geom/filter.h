@@ -30,9 +30,33 @@ struct FilterCorner {
   glm::dvec4 value{0.0}, magnitude{0.0};
 };
 
+/// Without the branches of glm::abs, which cost more than all else here where signs are random.
+inline glm::dvec3 absolute(const glm::dvec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+
 glm::dvec4 magnitude_of(const Plane& p);
 FilterPlane filter_plane(const Plane& p);
-FilterCorner filter_corner(const FilterPlane& a, const FilterPlane& b, const FilterPlane& c);
+
+/// 2x2 minors of rows a, b; with `sign` 1 the same with all signs positive.
+struct Minors2 {
+  double xy, xz, xw, yz, yw, zw;
+};
+inline Minors2 minors(const glm::dvec4& a, const glm::dvec4& b, double sign) {
+  return {a.x * b.y + sign * (a.y * b.x), a.x * b.z + sign * (a.z * b.x), a.x * b.w + sign * (a.w * b.x),
+          a.y * b.z + sign * (a.z * b.y), a.y * b.w + sign * (a.w * b.y), a.z * b.w + sign * (a.w * b.z)};
+}
+
+inline FilterCorner filter_corner(const FilterPlane& a, const FilterPlane& b, const FilterPlane& c) {
+  const Minors2 m = minors(a.value, b.value, -1.0);
+  const glm::dvec4& v = c.value;
+  FilterCorner out;
+  out.value = {(v.z * m.yw - v.y * m.zw) - v.w * m.yz, (v.x * m.zw - v.z * m.xw) + v.w * m.xz,
+               (v.y * m.xw - v.x * m.yw) - v.w * m.xy, (v.x * m.yz - v.y * m.xz) + v.z * m.xy};
+  const Minors2 p = minors(a.magnitude, b.magnitude, 1.0);
+  const glm::dvec4& w = c.magnitude;
+  out.magnitude = {(w.z * p.yw + w.y * p.zw) + w.w * p.yz, (w.x * p.zw + w.z * p.xw) + w.w * p.xz,
+                   (w.y * p.xw + w.x * p.yw) + w.w * p.xy, (w.x * p.yz + w.y * p.xz) + w.z * p.xy};
+  return out;
+}
 
 inline double dot4(const glm::dvec4& a, const glm::dvec4& b) { return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w); }
 inline double side_bound(const FilterPlane& p, const FilterCorner& c) {

@@ -34,6 +34,11 @@ class InlineVector {
     if (size_ == capacity_) grow(2 * capacity_);
     data_[size_++] = value;
   }
+  /// One more element, not initialised.
+  void append() {
+    if (size_ == capacity_) grow(2 * capacity_);
+    ++size_;
+  }
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
   void resize(std::size_t count, const T& value) {

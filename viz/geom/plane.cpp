@@ -20,8 +20,7 @@ Plane Plane::silhouette(const Plane& kept, const Plane& dropped, const glm::dvec
   return p;
 }
 
-bool same_definition(const Plane& p, const Plane& q) {
-  if (p.x != q.x || p.y != q.y || p.z != q.z || p.w != q.w) return false;
+bool same_exact_definition(const Plane& p, const Plane& q) {
   if (!p.edge && !q.edge) return p.anchor == q.anchor && p.offset == q.offset;
   if (p.edge == q.edge) return true;
   return p.edge && q.edge && p.edge->light == q.edge->light && same_definition(p.edge->kept, q.edge->kept) &&
@@ -29,12 +28,12 @@ bool same_definition(const Plane& p, const Plane& q) {
 }
 
 std::string describe(const Plane& plane) {
-  static const char* const names[] = {"given", "left",  "right", "bottom", "top",   "near",     "far",       "min x",
-                                      "max x", "min y", "max y", "min z",  "max z", "infinity", "silhouette"};
+  static const char* const names[] = {"given", "left",  "right", "bottom", "top",   "near", "far",      "min x",
+                                      "max x", "min y", "max y", "min z",  "max z", "hull", "infinity", "silhouette"};
   if (plane.edge) return "light and the edge of " + describe(plane.edge->kept) + " and " + describe(plane.edge->dropped);
   const char* name = names[int(plane.id)];
   if (plane.id >= PlaneId::left && plane.id <= PlaneId::far) return std::string(plane.of_light ? "L " : "V ") + name;
-  if (plane.id >= PlaneId::min_x && plane.id <= PlaneId::max_z) return std::string("S ") + name;
+  if (plane.id >= PlaneId::min_x && plane.id <= PlaneId::hull) return std::string("S ") + name;
   return name;
 }
 

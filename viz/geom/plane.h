@@ -25,6 +25,7 @@ enum class PlaneId : std::uint8_t {
   max_y,
   min_z,
   max_z,
+  hull,       // a facet of a hull of points
   infinity,   // (0, 0, 0, 1): all of space lies inside
   silhouette  // through the light and an edge
 };
@@ -59,8 +60,13 @@ struct SilhouetteOf {
   glm::dvec4 light;
 };
 
+/// `same_definition` for planes whose rounded coefficients are equal.
+bool same_exact_definition(const Plane& p, const Plane& q);
+
 /// The same half-space by its exact definition; false for one that happens to have the same points.
-bool same_definition(const Plane& p, const Plane& q);
+inline bool same_definition(const Plane& p, const Plane& q) {
+  return p.x == q.x && p.y == q.y && p.z == q.z && p.w == q.w && same_exact_definition(p, q);
+}
 
 /// In words: "V left", "S max y", "L top", "light and the edge of V near and V left".
 std::string describe(const Plane& plane);

@@ -19,27 +19,30 @@ Double2 product(double a, double b) {
   const double p = a * b;
   return {p, std::fma(a, b, -p)};
 }
+/// Sums and products to 2^-100 of the largest term: all that a residual needs.
 Double2 operator+(const Double2& a, const Double2& b) {
-  const Double2 s = sum(a.high, b.high), t = sum(a.low, b.low);
-  const Double2 u = sum(s.high, s.low + t.high);
-  return sum(u.high, u.low + t.low);
+  const Double2 s = sum(a.high, b.high);
+  return sum(s.high, s.low + (a.low + b.low));
+}
+Double2 operator*(const Double2& a, double b) {
+  const Double2 p = product(a.high, b);
+  return {p.high, p.low + a.low * b};
 }
 Double2 operator*(const Double2& a, const Double2& b) {
   const Double2 p = product(a.high, b.high);
-  return sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+  return {p.high, p.low + (a.high * b.low + a.low * b.high)};
 }
 Double2 operator-(const Double2& a) { return {-a.high, -a.low}; }
 
+/// For x.w = 0 or 1, with which products are exact.
 Double2 value(const Plane& p, const glm::dvec4& x) {
   if (p.edge) {
     const auto& [kept, dropped, light] = *p.edge;
     return value(kept, light) * value(dropped, x) + -(value(dropped, light) * value(kept, x));
   }
-  Double2 out = product(p.offset, x.w);
-  for (int k = 0; k < 3; ++k) {
-    const Double2 difference = p.anchor[k] == 0 ? Double2{x[k], 0} : Double2{x[k], 0} + -product(p.anchor[k], x.w);
-    out = out + difference * Double2{p[k], 0};
-  }
+  Double2 out{p.offset * x.w, 0};
+  for (int k = 0; k < 3; ++k)
+    if (p[k] != 0) out = out + sum(x[k], -p.anchor[k] * x.w) * p[k];
   return out;
 }
 

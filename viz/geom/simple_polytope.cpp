@@ -21,28 +21,26 @@ void SimplePolytope::add_plane(const Plane& plane) {
 
 int SimplePolytope::new_node(const Corner& corner) {
   const auto filter_of = [&](int k) -> const FilterPlane& { return filters_[corner.plane[k]]; };
-  const Node made{corner, 1, true, filter_corner(filter_of(0), filter_of(1), filter_of(2))};
   int index = int(nodes_.size());
   if (free_.empty()) {
-    nodes_.push_back(made);
+    nodes_.append();
   } else {
     index = free_.back();
     free_.pop_back();
-    nodes_[index] = made;
   }
+  Node& node = nodes_[index];
+  node.corner = corner;
+  node.side = 1;
+  node.live = true;
+  node.filtered = filter_corner(filter_of(0), filter_of(1), filter_of(2));
   ++live_;
   return index;
 }
 
-int SimplePolytope::side(const Node& node, int plane) {
-  const FilterPlane& p = filters_[plane];
-  const double value = dot4(p.value, node.filtered.value), bound = side_bound(p, node.filtered);
-  if (value > bound || value < -bound) {
-    ++decisions_.filtered;
-    return value > 0 ? 1 : -1;
-  }
+/// Where doubles cannot tell.
+int SimplePolytope::side_in_doubt(const Node& node, int plane) {
   const auto& c = node.corner.plane;
-  if (known_to_meet(filters_[c[0]], filters_[c[1]], filters_[c[2]], p)) {
+  if (known_to_meet(filters_[c[0]], filters_[c[1]], filters_[c[2]], filters_[plane])) {
     ++decisions_.shared;
     return 0;
   }
@@ -50,15 +48,15 @@ int SimplePolytope::side(const Node& node, int plane) {
   return exact_.side({planes_.data(), planes_.size()}, c, plane);
 }
 
-/// Finds the side of every corner; true if some lie outside.
-bool SimplePolytope::classify(int plane) {
-  bool any = false;
-  for (Node& n : nodes_) {
+/// Finds the side of every corner and lists those outside.
+void SimplePolytope::classify(int plane) {
+  outside_.clear();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    Node& n = nodes_[i];
     if (!n.live) continue;
     n.side = side(n, plane);
-    any |= n.side < 0;
+    if (n.side < 0) outside_.push_back(int(i));
   }
-  return any;
 }
 
 void SimplePolytope::cut(const Plane& plane) {
@@ -67,27 +65,23 @@ void SimplePolytope::cut(const Plane& plane) {
   if (empty() || std::any_of(planes_.begin(), planes_.end(), is_plane)) return;
   add_plane(plane);
   const int p = int(planes_.size()) - 1;
-  if (classify(p)) {
-    const int old_size = int(nodes_.size());
-    for (int i = 0; i < old_size; ++i)
-      if (nodes_[i].live && nodes_[i].side >= 0) cut_edges_of(i, p);
-    remove_outside();
-  }
+  classify(p);
+  for (const int i : outside_) cut_edges_of(i, p);
+  for (const int i : outside_) remove(i);
 }
 
-/// Ends the edges that run from an inside node to an outside one at the plane. Seen from its other end an edge's planes come in
+/// Ends the edges that run from an outside node to an inside one at the plane. Seen from its other end an edge's planes come in
 /// the opposite order.
-void SimplePolytope::cut_edges_of(int node, int plane) {
-  if (nodes_[node].corner.plane[2] == plane) return;  // made by this cut
+void SimplePolytope::cut_edges_of(int outside, int plane) {
   for (int k = 0; k < 3; ++k) {
-    const Corner from = nodes_[node].corner;
-    const Node& far_end = nodes_[from.next[k]];
-    if (far_end.side >= 0) continue;
-    const int a = from.plane[(k + 1) % 3], b = from.plane[(k + 2) % 3];
-    const int made = new_node({{b, a, plane}, {-1, -1, node}});
-    nodes_[node].corner.next[k] = made;
-    join(a, made, 0);
-    join(b, made, 1);
+    const Corner& from = nodes_[outside].corner;
+    const int inside = from.next[k], a = from.plane[(k + 1) % 3], b = from.plane[(k + 2) % 3];
+    if (nodes_[inside].side < 0) continue;
+    const int made = new_node({{a, b, plane}, {-1, -1, inside}});
+    auto& next = nodes_[inside].corner.next;
+    *std::find(next.begin(), next.end(), outside) = made;
+    join(b, made, 0);
+    join(a, made, 1);
   }
 }
 
@@ -103,13 +97,10 @@ void SimplePolytope::join(int facet, int node, int slot) {
   waiting = -1;
 }
 
-void SimplePolytope::remove_outside() {
-  for (int i = 0; i < int(nodes_.size()); ++i) {
-    if (!nodes_[i].live || nodes_[i].side >= 0) continue;
-    nodes_[i].live = false;
-    free_.push_back(i);
-    --live_;
-  }
+void SimplePolytope::remove(int node) {
+  nodes_[node].live = false;
+  free_.push_back(node);
+  --live_;
 }
 
 }  // namespace psm

@@ -43,11 +43,12 @@ class SimplePolytope {
 
   void add_plane(const Plane& plane);
   int side(const Node& node, int plane);
-  bool classify(int plane);
+  int side_in_doubt(const Node& node, int plane);
+  void classify(int plane);
   int new_node(const Corner& corner);
-  void cut_edges_of(int node, int plane);
+  void cut_edges_of(int outside, int plane);
   void join(int facet, int node, int slot);
-  void remove_outside();
+  void remove(int node);
 
   void merge_corners(Merged& merged);
   std::vector<int> facet_loop(int node, int facet, const Merged& merged) const;
@@ -59,11 +60,21 @@ class SimplePolytope {
   InlineVector<FilterPlane, kPlanes> filters_;
   InlineVector<Node, kNodes> nodes_;
   Indices free_;                     // unused nodes
+  Indices outside_;                  // of the cutting plane
   InlineVector<int, kPlanes> open_;  // for each facet, the new node that waits for its partner: node * 3 + slot
   int live_ = 0;
   SharedParts shared_;
   ExactPlanes exact_;
   Decisions decisions_;
 };
+
+/// Of the plane on which side the corner lies: 1 inside, 0 on it, -1 outside.
+inline int SimplePolytope::side(const Node& node, int plane) {
+  const FilterPlane& p = filters_[plane];
+  const double value = dot4(p.value, node.filtered.value), bound = side_bound(p, node.filtered);
+  if (!(std::abs(value) > bound)) return side_in_doubt(node, plane);
+  ++decisions_.filtered;
+  return value > 0 ? 1 : -1;
+}
 
 }  // namespace psm

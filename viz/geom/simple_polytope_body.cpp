@@ -124,7 +124,7 @@ std::vector<glm::dvec3> SimplePolytope::coordinates(const Merged& merged) {
   for (const int i : merged.node_of) {
     const glm::dvec4 &v = nodes_[i].filtered.value, &m = nodes_[i].filtered.magnitude;
     out.push_back(glm::dvec3(v) / v.w);
-    const double size = largest_of(glm::abs(out.back()));
+    const double size = largest_of(absolute(out.back()));
     bounds.push_back(64 * kRoundingUnit * (largest_of(glm::dvec3(m)) + size * m.w) / v.w);
     largest = std::max(largest, size);
   }

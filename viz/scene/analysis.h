@@ -65,11 +65,12 @@ struct Analysis {
   bool reversed_depth = false;                // psm_divided, psm_recipe with an inverted light: the farthest hit survives
   std::optional<glm::dvec4> vanishing_plane;  // c = 0, positive on R
 
-  glm::dvec4 light{0.0};      // homogeneous, in world space, towards the light
-  ConvexBody scene_body;      // S
-  ConvexBody receivers_body;  // R = V ∩ S ∩ L
-  ConvexBody caster_body;     // H = hull(V + l) ∩ S ∩ L (PSM 2002, section 4.1)
-  ConvexBody depth_body;      // H_R = hull(R + l) ∩ S ∩ L: what the map's depth range holds
+  glm::dvec4 light{0.0};                       // homogeneous, in world space, towards the light
+  ConvexBody scene_body;                       // S
+  SceneBody scene_body_used = SceneBody::box;  // or hull: what S is
+  ConvexBody receivers_body;                   // R = V ∩ S ∩ L
+  ConvexBody caster_body;                      // H = hull(V + l) ∩ S ∩ L (PSM 2002, section 4.1)
+  ConvexBody depth_body;                       // H_R = hull(R + l) ∩ S ∩ L: what the map's depth range holds
   std::array<glm::dvec4, 8>
       frustum_corners{};  // homogeneous, world: near then far, each (-,-) (+,-) (+,+) (-,+); far may have w = 0
 

@@ -42,6 +42,15 @@ JsonNode scene_node(const Scene& scene) {
   return node;
 }
 
+JsonNode scene_body_node(const Analysis& analysis) {
+  const ConvexBody& body = analysis.scene_body;
+  JsonNode node = JsonNode::object();
+  node["grain"] = analysis.scene_body_used == SceneBody::hull ? "hull" : "box";
+  node["facets"] = JsonNode::integer((long long)body.facets.size());
+  node["volume"] = body.volume();
+  return node;
+}
+
 /// Four rows of four.
 JsonNode matrix_node(const glm::dmat4& matrix) {
   const glm::dmat4 rows = glm::transpose(matrix);
@@ -149,6 +158,7 @@ std::string analysis_to_json(const Analysis& analysis, const Scene& scene) {
   root["matrices"] = matrices_node(analysis);
   root["reversed_depth"] = JsonNode::boolean(analysis.reversed_depth);
   root["vanishing_plane"] = analysis.vanishing_plane ? JsonNode(*analysis.vanishing_plane) : JsonNode();
+  root["scene_body"] = scene_body_node(analysis);
   root["caster_body"] = body_node(analysis.caster_body);
   root["receivers_body"] = body_node(analysis.receivers_body);
   root["error"] = error_node(analysis.model_error, analysis.texels);

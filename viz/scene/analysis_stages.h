@@ -32,6 +32,12 @@ struct Stages {
   bool light_in_scene = false, light_in_receivers = false;  // a position inside S, inside R
 };
 
+/// The square pyramid around a spot light's cone.
+ViewFrame spot_frame(const LightSettings& spot);
+
+/// S, in the grain that the experiment asks for or the scene needs.
+void set_scene_body(const Stages& s, Analysis& a);
+
 /// The vanishing plane that the experiment's technique chooses; sets technique_used and everything the technique has to say.
 glm::dvec4 technique_plane(Stages& s, Analysis& a, std::span<const glm::dvec3> receivers);
 

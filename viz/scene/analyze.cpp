@@ -44,31 +44,29 @@ void set_light_case(Stages& s, Analysis& a) {
   out.within_half_texel = std::abs(out.kappa) < 0.5 / s.x.shadow.resolution;
 }
 
-/// The square pyramid around a spot's cone. Where the spot stands inside S the pyramid starts at a named near distance, so that
-/// the light is not one of its own receivers.
-std::vector<Plane> spot_planes(const Stages& s, Analysis& a) {
-  const LightSettings& l = s.x.light;
-  if (l.type != LightType::spot) return {};
-  const double tangent = std::tan(l.cone_deg * kRadiansPerDegree / 2);
-  const ViewFrame spot = view_frame(l.position, l.target - l.position, dvec3(0, 1, 0), tangent, tangent);
-  double reach = 0;
-  for (const dvec3& v : a.scene_body.vertices) reach = std::max(reach, spot.depth(v));
-  const Bounds& b = s.scene.bounds;
-  const bool inside = glm::all(glm::greaterThanEqual(l.position, b.min)) && glm::all(glm::lessThanEqual(l.position, b.max));
-  const double near = inside ? 1e-3 * reach : 0.0;
-  if (inside) note(a, "light_near_distance", "The light stands inside the scene: its cone starts at a near distance.", near);
-  return pyramid_planes(spot, near);
-}
-
 /// Closed, and exact: a light on a face is inside.
 bool contains(std::span<const Plane> planes, const dvec4& point) {
   return std::all_of(planes.begin(), planes.end(), [&](const Plane& p) { return exact_side(p, point) >= 0; });
 }
 
+/// Where a spot stands inside S its pyramid starts at a named near distance, so that the light is not one of its own receivers.
+std::vector<Plane> light_planes_outside(const Stages& s, Analysis& a) {
+  const LightSettings& l = s.x.light;
+  if (l.type != LightType::spot) return {};
+  const ViewFrame spot = spot_frame(l);
+  if (!contains(a.scene_body.planes, s.light)) return pyramid_planes(spot);
+  double reach = 0;
+  for (const dvec3& v : a.scene_body.vertices) reach = std::max(reach, spot.depth(v));
+  const double near = 1e-3 * reach;
+  note(a, "light_near_distance", "The light stands inside the scene: its cone starts at a near distance.", near);
+  return pyramid_planes(spot, near);
+}
+
 /// A body that stands in for the receivers where nothing is visible, so that every matrix stays finite.
 ConvexBody stand_in(const Stages& s, const Analysis& a) {
   if (s.light.w == 0) return a.scene_body;
-  const double size = std::max(glm::length(s.scene.bounds.max - s.scene.bounds.min), 1e-3 * glm::length(dvec3(s.light)));
+  const Bounds& b = s.scene.bounds;
+  const double size = std::max(b.empty() ? 0.0 : glm::length(b.max - b.min), 1e-3 * glm::length(dvec3(s.light)));
   const double reach = size > 0 ? size : 1.0;
   const dvec3 toward =
       s.x.light.type == LightType::spot ? safe_normalize(s.x.light.target - s.x.light.position) : dvec3(0, -1, 0);
@@ -77,10 +75,8 @@ ConvexBody stand_in(const Stages& s, const Analysis& a) {
 }
 
 void set_bodies(Stages& s, Analysis& a) {
-  Bounds b = s.scene.bounds;
-  if (b.empty()) b.min = b.max = s.view.at(0, 0, s.x.camera.near);
-  a.scene_body = box_body(b.min, b.max);
-  const std::vector<Plane> light_planes = spot_planes(s, a);
+  set_scene_body(s, a);
+  const std::vector<Plane> light_planes = light_planes_outside(s, a);
   s.lit_scene = clip(a.scene_body, light_planes);
   a.receivers_body = clip(s.lit_scene, s.view_planes);
   a.light_case.inside_frustum = s.light.w != 0 && contains(s.view_planes, s.light);

@@ -129,6 +129,9 @@ void add_shadow(std::vector<Field>& rows) {
   rows.push_back(Row("shadow.warp_range", PSM_CHOICE((std::vector<std::string>{"receivers", "frustum"}), shadow.warp_range), "",
                      "What the warp's range is measured on: the receivers, or the frustum between their depths."));
   rows.push_back(
+      Row("shadow.scene_body", PSM_CHOICE((std::vector<std::string>{"box", "hull", "auto"}), shadow.scene_body), "",
+          "What stands in for the scene in R and H: its box, a hull of the casters that can matter, or what the scene needs."));
+  rows.push_back(
       Row("shadow.receiver_plane", PSM_REF(AutoPlaneRef, shadow.receiver_plane), "",
           "The plane a, b, c, d on which plane_optimal gives every texel the same size; auto: the largest visible flat area.")
           .direction());

@@ -48,6 +48,7 @@ enum class Filter { none };
 enum class NearFit { off, bounds, depth };
 enum class Focus { bounds, visible };
 enum class WarpRange { receivers, frustum };
+enum class SceneBody { box, hull, automatic };
 enum class ViewId { world, cube, map, eye };
 inline constexpr std::array kAllViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};  // by value
 
@@ -88,6 +89,7 @@ struct ShadowSettings {
   NearFit near_fit = NearFit::bounds;
   Focus focus = Focus::bounds;
   WarpRange warp_range = WarpRange::receivers;
+  SceneBody scene_body = SceneBody::box;  // S
   std::optional<glm::dvec4> receiver_plane;  // none: auto
   std::optional<glm::dvec4> plane;           // vanishing plane of technique custom
   bool operator==(const ShadowSettings&) const = default;

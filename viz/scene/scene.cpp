@@ -80,6 +80,9 @@ void update_bounds(Scene& scene) {
   scene.bounds = Bounds{};
   for (const Mesh& mesh : scene.meshes)
     for (const auto& p : mesh.positions) scene.bounds.add(p);
+  std::vector<std::span<const glm::dvec3>> sets;
+  for (const Mesh& mesh : scene.meshes) sets.emplace_back(mesh.positions);
+  scene.hulls = point_hulls(sets);
 }
 
 Scene box_scene(const glm::dvec3& min, const glm::dvec3& max) {

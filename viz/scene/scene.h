@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/point_hulls.h"
 #include "scene/experiment.h"
 #include "scene/result.h"
 
@@ -37,19 +38,22 @@ struct Mesh {
   std::string name;
   int material = 0;
   std::vector<glm::dvec3> positions;
-  std::vector<glm::vec3> normals;         // unit, world space, as many as positions
-  std::vector<glm::vec2> texcoords;       // glTF convention: (0, 0) is the top left of the image
-  std::vector<glm::vec4> colors;          // linear, multiplies base_color
-  std::vector<std::uint32_t> triangles;   // three a triangle, counter-clockwise seen from the front
-  std::vector<std::uint32_t> lines;       // two a line; drawn, but cast no shadow
-  std::vector<std::uint32_t> points;      // drawn, but cast no shadow
+  std::vector<glm::vec3> normals;        // unit, world space, as many as positions
+  std::vector<glm::vec2> texcoords;      // glTF convention: (0, 0) is the top left of the image
+  std::vector<glm::vec4> colors;         // linear, multiplies base_color
+  std::vector<std::uint32_t> triangles;  // three a triangle, counter-clockwise seen from the front
+  std::vector<std::uint32_t> lines;      // two a line; drawn, but cast no shadow
+  std::vector<std::uint32_t> points;     // drawn, but cast no shadow
 };
 
 /// World-axis box; empty while min > max.
 struct Bounds {
   glm::dvec3 min{1e300}, max{-1e300};
   bool empty() const { return min.x > max.x; }
-  void add(const glm::dvec3& p) { min = glm::min(min, p); max = glm::max(max, p); }
+  void add(const glm::dvec3& p) {
+    min = glm::min(min, p);
+    max = glm::max(max, p);
+  }
 };
 
 struct Scene {
@@ -57,7 +61,8 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Material> materials;  // never empty
   std::vector<Mesh> meshes;
-  Bounds bounds;  // of all meshes
+  Bounds bounds;                         // of all meshes
+  PointHulls hulls;                      // a set for each mesh
   std::optional<CameraSettings> camera;  // what the scene brings along as defaults
   std::optional<LightSettings> light;
   std::vector<Note> notes;  // what the loader had to leave out
@@ -65,7 +70,7 @@ struct Scene {
   std::size_t triangle_count() const;
 };
 
-/// Recomputes `bounds` from the positions.
+/// Recomputes `bounds` and `hulls` from the positions.
 void update_bounds(Scene& scene);
 
 /// A scene that is nothing but its box: one triangle between the corners. For studies of the mathematics alone.
