@@ -44,7 +44,7 @@ Result<glm::ivec2> check_size(double width, double height, const std::string& sh
 Result<glm::ivec2> parse_size(const std::optional<std::string>& text, const ImageSettings& image) {
   if (!text) return check_size(image.width, image.height, std::to_string(image.width) + "x" + std::to_string(image.height));
   const std::vector<std::string> sides = split(*text, 'x');
-  const auto width = number_from_argument(sides[0]), height = number_from_argument(sides.back());
+  const auto width = number_from_text(sides[0]), height = number_from_text(sides.back());
   return check_size(sides.size() == 2 ? width.value_or(0) : 0, height.value_or(0), *text);
 }
 
@@ -56,7 +56,7 @@ Result<RenderRequest> parse_request(const RenderArguments& arguments, const Imag
   const auto size = parse_size(arguments.size, image);
   if (!size) return size.error();
   request.size = *size;
-  const auto scale = number_from_argument(arguments.scale);
+  const auto scale = number_from_text(arguments.scale);
   if (!scale || !(*scale >= 0.25 && *scale <= 8)) return flag_error("--scale", arguments.scale, "a number in [0.25, 8]");
   request.scale = *scale;
   if (arguments.theme != "light" && arguments.theme != "dark") return flag_error("--theme", arguments.theme, "light or dark");

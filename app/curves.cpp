@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/numbers.h"
+#include "scene/experiment.h"
 
 namespace psm {
 namespace {
@@ -15,7 +16,7 @@ constexpr const char* kThetaAllowed = "A:B:STEP with A <= B and STEP > 0, or a c
 
 /// A + i STEP, so that no error accumulates; the last one meets B where it misses it by rounding only.
 Result<std::vector<double>> theta_range(const std::string& text, const std::vector<std::string>& parts) {
-  const auto first = number_from_argument(parts[0]), last = number_from_argument(parts[1]), step = number_from_argument(parts[2]);
+  const auto first = number_from_text(parts[0]), last = number_from_text(parts[1]), step = number_from_text(parts[2]);
   if (!first || !last || !step || !(*first >= 0 && *first <= *last && *last <= 180 && *step > 0 && std::isfinite(*step)))
     return flag_error("--theta-deg", text, kThetaAllowed);
   const double steps = (*last - *first) / *step;
@@ -28,7 +29,7 @@ Result<std::vector<double>> theta_range(const std::string& text, const std::vect
 Result<std::vector<double>> theta_list(const std::string& text) {
   std::vector<double> angles;
   for (const std::string& part : split(text, ',')) {
-    const auto angle = number_from_argument(part);
+    const auto angle = number_from_text(part);
     if (!angle || !(*angle >= 0 && *angle <= 180)) return flag_error("--theta-deg", text, kThetaAllowed);
     angles.push_back(*angle);
   }
@@ -86,7 +87,7 @@ Result<std::vector<double>> parse_theta_deg(const std::string& text) {
 
 Result<Curves> parse_curves(const CurvesText& text) {
   Curves curves;
-  const auto n = number_from_argument(text.n), f = number_from_argument(text.f), phi = number_from_argument(text.phi_deg);
+  const auto n = number_from_text(text.n), f = number_from_text(text.f), phi = number_from_text(text.phi_deg);
   if (!n || !(*n >= 1e-100 && *n <= 1e100)) return flag_error("--n", text.n, "a number in [1e-100, 1e100]");
   if (!f || !(*f > *n && *f <= 1e100)) return flag_error("--f", text.f, "a number greater than --n, up to 1e100");
   if (!phi || !(*phi > 0 && *phi < 90)) return flag_error("--phi-deg", text.phi_deg, "a number in (0, 90)");

@@ -2,16 +2,12 @@
 // Numbers and lists in arguments and CSV files.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/result.h"
 
 namespace psm {
-
-/// Decimal notation, whatever the locale; nothing where the text is not a finite number as a whole.
-std::optional<double> number_from_argument(const std::string& text);
 
 /// The parts between separators; "" has one empty part.
 std::vector<std::string> split(const std::string& text, char separator);

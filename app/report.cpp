@@ -31,7 +31,7 @@ struct Shard {
 Result<Shard> parse_shard(const std::optional<std::string>& text) {
   if (!text) return Shard{};
   const std::vector<std::string> parts = split(*text, '/');
-  const auto index = number_from_argument(parts[0]), count = number_from_argument(parts.back());
+  const auto index = number_from_text(parts[0]), count = number_from_text(parts.back());
   const auto whole = [](double x) { return std::trunc(x) == x && x >= 1 && x <= 10000; };
   if (parts.size() != 2 || !index || !count || !whole(*index) || !whole(*count) || *index > *count)
     return flag_error("--shard", *text, "I/N with whole numbers 1 <= I <= N <= 10000");

@@ -50,6 +50,7 @@ const std::vector<Quarantine>& quarantines() {
       {"nlohmann-json", std::regex("nlohmann/.*"), std::regex("viz/scene/.*\\.cpp")},
       {"CGAL", std::regex("CGAL/.*"), std::regex("viz/(geom/.*|measure/ray_engine_cgal)\\.cpp")},
       {"Embree", std::regex("embree.*"), std::regex("viz/measure/.*\\.cpp")},
+      {"Boost", std::regex("boost/.*"), std::regex("viz/measure/wide\\.cpp")},
       {"CLI11", std::regex("CLI/.*"), std::regex("app/.*\\.cpp")},
       {"stb", std::regex("stb.*"), std::regex("viz/(scene|gl|figure)/.*\\.cpp")}};
   return list;
@@ -189,6 +190,8 @@ TEST(LayerRules, KeepLibrariesInTheirRooms) {
   EXPECT_EQ(faults("viz/measure/ray_tracer.cpp", "CGAL/AABB_tree.h"), 1u);
   EXPECT_EQ(faults("viz/measure/ray_engine_embree.cpp", "embree3/rtcore.h"), 0u);
   EXPECT_EQ(faults("viz/measure/ray_tracer.h", "embree3/rtcore.h"), 1u);
+  EXPECT_EQ(faults("viz/measure/wide.h", "boost/multiprecision/cpp_int.hpp"), 1u);
+  EXPECT_EQ(faults("viz/measure/wide.cpp", "boost/multiprecision/cpp_int.hpp"), 0u);
 }
 
 TEST(LayerRules, WantTheLicenceFirst) {

@@ -222,7 +222,7 @@ HtmlTable hard_case_table(const std::vector<MeasuredCase>& cases) {
   table.head = {"case", "no.", "float", "double", "exact", "texels, float", "texels, double", "verdict", "ns"};
   for (const MeasuredCase& c : cases)
     table.rows.push_back({c.row.name + ": " + c.row.computed, std::to_string(c.row.number),
-                          c.row.in_float ? answer(c.in_float) : "\u2013", answer(c.in_double), shown(double(c.row.exact), 9),
+                          c.row.in_float ? answer(c.in_float) : "\u2013", answer(c.in_double), shown(c.row.exact.value, 9),
                           shown(c.in_float.texels, 2), shown(c.in_double.texels, 2), name_of(c.verdict),
                           shown(c.double_seconds * 1e9)});
   return table;

@@ -20,7 +20,7 @@ PostLightCase<T> classify_light(const Vec4<T>& light, const Vec3<T>& eye, const 
   const Vec3<T> from_eye = Vec3<T>(light) - light.w * eye;
   PostLightCase<T> c;
   c.w = glm::dot(view_forward, from_eye);
-  const T largest = std::max(std::abs(from_eye.x), std::max(std::abs(from_eye.y), std::abs(from_eye.z)));
+  const T largest = std::max(abs(from_eye.x), std::max(abs(from_eye.y), abs(from_eye.z)));
   const T length = largest > T(0) ? largest * glm::length(from_eye / largest) : T(0);
   const T limit = T(4) * epsilon<T>() * length;
   c.sign = c.w > limit ? 1 : c.w < -limit ? -1 : 0;

@@ -18,6 +18,15 @@ using Vec4 = glm::vec<4, T, glm::highp>;
 template <class T>
 using Mat4 = glm::mat<4, 4, T, glm::highp>;
 
+// Called without std::, so that numbers of more than machine precision bring their own.
+using std::abs, std::sqrt, std::sin, std::cos, std::tan, std::atan, std::atan2, std::hypot, std::isinf;
+
+/// Pi, rounded to T.
+template <class T>
+T half_turn() {
+  return T(4) * atan(T(1));
+}
+
 /// Rounding unit of T.
 template <class T>
 constexpr T epsilon() {
@@ -38,7 +47,7 @@ Vec4<T> row(const Mat4<T>& m, int i) {
 /// Unit vector; components are scaled first, so that lengths near the ends of T's range survive. The zero vector stays zero.
 template <class T>
 Vec3<T> safe_normalize(const Vec3<T>& v) {
-  const T largest = std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
+  const T largest = std::max(abs(v.x), std::max(abs(v.y), abs(v.z)));
   if (!(largest > T(0))) return Vec3<T>(0);
   const Vec3<T> scaled = v / largest;
   return scaled / glm::length(scaled);
@@ -59,8 +68,8 @@ Mat4<T> perspective(T tan_phi_x, T tan_phi_y, T n, T f) {
   Mat4<T> m(0);
   m[0][0] = T(1) / tan_phi_x;
   m[1][1] = T(1) / tan_phi_y;
-  m[2][2] = std::isinf(f) ? T(-1) : -(f + n) / (f - n);
-  m[3][2] = std::isinf(f) ? T(-2) * n : T(-2) * f * n / (f - n);
+  m[2][2] = isinf(f) ? T(-1) : -(f + n) / (f - n);
+  m[3][2] = isinf(f) ? T(-2) * n : T(-2) * f * n / (f - n);
   m[2][3] = T(-1);
   return m;
 }
@@ -78,7 +87,7 @@ Mat4<T> look_along(const Vec3<T>& eye, const Vec3<T>& forward, const Vec3<T>& up
 /// Angle in [0, pi/2] between two lines, accurate at both ends.
 template <class T>
 T line_angle(const Vec3<T>& v, const Vec3<T>& l) {
-  return std::atan2(glm::length(glm::cross(v, l)), std::abs(glm::dot(v, l)));
+  return atan2(glm::length(glm::cross(v, l)), abs(glm::dot(v, l)));
 }
 
 }  // namespace psm

@@ -23,8 +23,7 @@ T shift_in_front(std::span<const T> depths, T near) {
 template <class T>
 T shift_inside(std::span<const Vec3<T>> vertices, T near, T tan_phi_x, T tan_phi_y) {
   T shift = T(0);
-  for (const Vec3<T>& v : vertices)
-    shift = std::max({shift, near - v.z, std::abs(v.x) / tan_phi_x - v.z, std::abs(v.y) / tan_phi_y - v.z});
+  for (const Vec3<T>& v : vertices) shift = std::max({shift, near - v.z, abs(v.x) / tan_phi_x - v.z, abs(v.y) / tan_phi_y - v.z});
   return shift;
 }
 
@@ -108,7 +107,7 @@ template <class T>
 VariantMap<T> recipe_map(const Mat4<T>& clip_from_world, const Vec4<T>& light) {
   VariantMap<T> out;
   const Vec4<T> L = clip_from_world * light;
-  const bool directional = std::abs(L.w) <= T(4) * epsilon<T>() * glm::length(Vec3<T>(L));
+  const bool directional = abs(L.w) <= T(4) * epsilon<T>() * glm::length(Vec3<T>(L));
   const Vec3<T> eye = directional ? T(4) * safe_normalize(Vec3<T>(L)) : Vec3<T>(L) / L.w;
   out.reversed_depth = !directional && L.w < T(0);
   const Vec3<T> forward = glm::length(eye) > T(0) ? safe_normalize(-eye) : Vec3<T>(0, 0, 1);
@@ -120,7 +119,7 @@ VariantMap<T> recipe_map(const Mat4<T>& clip_from_world, const Vec4<T>& light) {
   for (int i = 0; i < 8; ++i) {
     const Vec4<T> corner(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1, 1);
     const Vec4<T> v = view * corner;
-    const T side = std::max(std::abs(v.x), std::abs(v.y)), z = -v.z;
+    const T side = std::max(abs(v.x), abs(v.y)), z = -v.z;
     depth.add(z);
     if (directional)
       opening = std::max(opening, side);

@@ -92,10 +92,10 @@ PsmPlane<T> psm_plane(const Mat4<T>& clip_from_world, const Vec4<T>& light, std:
   const Vec4<T> L = clip_from_world * light;
   const T r = glm::length(Vec3<T>(L));
   PsmPlane<T> out;
-  const T scale = r > T(0) ? r : std::abs(L.w);
+  const T scale = r > T(0) ? r : abs(L.w);
   const Vec3<T> k = r > T(0) ? Vec3<T>(L) / r : Vec3<T>(0);
   out.kappa = L.w / scale;
-  const T size = std::abs(out.kappa), sign = L.w < T(0) ? T(-1) : T(1);
+  const T size = abs(out.kappa), sign = L.w < T(0) ? T(-1) : T(1);
   const T reach = r / scale;  // 1, or 0 for a light at the cube's centre
 
   // Directions from the light, times |kappa|: finite for every kappa.
@@ -118,12 +118,13 @@ PsmPlane<T> psm_plane(const Mat4<T>& clip_from_world, const Vec4<T>& light, std:
     out.valid = cone.cosine > T(0);
     if (at_centre < cone.cosine / T(2)) {
       // Along the arc from the centre to the axis every g.d_i is a sinusoid; bisect for the least turn.
-      const T angle = reach > T(0) ? std::atan2(glm::length(glm::cross(centre, cone.axis)), glm::dot(centre, cone.axis)) : T(0);
+      const T angle = reach > T(0) ? atan2(glm::length(glm::cross(centre, cone.axis)), glm::dot(centre, cone.axis)) : T(0);
       Vec3<T> side = cone.axis - centre * glm::dot(centre, cone.axis);
       side = glm::length(side) > T(0) ? safe_normalize(side) : perpendicular(cone.axis);
-      const auto turned = [&](T t) { return centre * std::cos(t) + side * std::sin(t); };
+      const auto turned = [&](T t) { return centre * cos(t) + side * sin(t); };
       T lo = T(0), hi = angle;
-      for (int i = 0; i < 60 && reach > T(0); ++i) {
+      constexpr int kHalvings = std::numeric_limits<T>::digits + 7;  // until the angle cannot be halved any more
+      for (int i = 0; i < kHalvings && reach > T(0); ++i) {
         const T mid = (lo + hi) / T(2);
         (smallest_cosine(turned(mid)) >= cone.cosine / T(2) ? hi : lo) = mid;
       }
@@ -166,7 +167,7 @@ MapFit<T> fit_map(const LightFrame<T>& frame, Vec4<T> plane, std::span<const Vec
     depth.add(at_light ? T(-1) / fit.near_c : glm::dot(frame.e, Vec4<T>(x, 1)) / c);
   }
   const auto fitted_row = [&](const Vec4<T>& p, Range<T> r, bool& padded) {
-    const T magnitude = std::max(std::abs(r.min), std::abs(r.max));
+    const T magnitude = std::max(abs(r.min), abs(r.max));
     const T least = std::max(T(64) * epsilon<T>() * magnitude, std::numeric_limits<T>::min());
     if (!(r.size() > least)) {  // a body without extent in this direction still gets a window
       padded = true;

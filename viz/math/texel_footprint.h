@@ -27,10 +27,10 @@ Vec2<T> projected_derivative(const Mat4<T>& matrix, const Vec3<T>& x, const Vec3
 /// The direction of the larger singular value's left singular vector of [[a, b], [c, d]].
 template <class T>
 T major_axis_angle(T a, T b, T c, T d) {
-  const T largest = std::max(std::max(std::abs(a), std::abs(b)), std::max(std::abs(c), std::abs(d)));
+  const T largest = std::max(std::max(abs(a), abs(b)), std::max(abs(c), abs(d)));
   if (!(largest > T(0))) return T(0);
   a /= largest, b /= largest, c /= largest, d /= largest;
-  return std::atan2(T(2) * (a * c + b * d), (a - c) * (a + c) + (b - d) * (b + d)) / T(2);
+  return atan2(T(2) * (a * c + b * d), (a - c) * (a + c) + (b - d) * (b + d)) / T(2);
 }
 
 }  // namespace detail
@@ -52,14 +52,14 @@ TexelFootprint<T> texel_footprint(const Mat4<T>& clip_from_world, const Mat4<T>&
   const glm::mat<2, 2, T, glm::highp> adjugate(texel[1][1], -texel[0][1], -texel[1][0], texel[0][0]);
   const auto inverse_times_det = pixel * adjugate;
   const T a = inverse_times_det[0][0], b = inverse_times_det[1][0], c = inverse_times_det[0][1], d = inverse_times_det[1][1];
-  const T largest = (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
+  const T largest = (hypot(a + d, b - c) + hypot(a - d, b + c)) / T(2);
   const T inf = std::numeric_limits<T>::infinity();
   TexelFootprint<T> out;
   out.orientation = detail::major_axis_angle(a, b, c, d);
   if (det_texel == T(0)) return {inf, inf, inf, out.orientation};  // the receiver contains the light ray
-  out.m = largest / std::abs(det_texel);
-  out.area = std::abs(det_pixel / det_texel);
-  const T smallest = std::abs(a * d - b * c) / largest;
+  out.m = largest / abs(det_texel);
+  out.area = abs(det_pixel / det_texel);
+  const T smallest = abs(a * d - b * c) / largest;
   out.anisotropy = smallest > T(0) ? largest / smallest : inf;
   return out;
 }

@@ -34,18 +34,18 @@ struct WarpModel {
 
   /// From degrees as typed: theta - phi and 90 - theta are taken before the conversion, so that they are exact where they matter.
   static WarpModel from_degrees(T n, T f, T phi_deg, T theta_deg) {
-    const T rad = T(3.14159265358979323846264338327950288L) / T(180);
-    const T phi = phi_deg * rad, tan_phi = std::tan(phi);
-    const T cos_theta = std::sin((T(90) - theta_deg) * rad);
-    const T S = theta_deg > T(45) ? std::cos((T(90) - theta_deg) * rad) : std::sin(theta_deg * rad);
-    return {n, f, theta_deg * rad, phi, tan_phi, S, cos_theta * tan_phi, std::sin((theta_deg - phi_deg) * rad) / std::cos(phi)};
+    const T rad = half_turn<T>() / T(180);
+    const T phi = phi_deg * rad, tan_phi = tan(phi);
+    const T cos_theta = sin((T(90) - theta_deg) * rad);
+    const T S = theta_deg > T(45) ? cos((T(90) - theta_deg) * rad) : sin(theta_deg * rad);
+    return {n, f, theta_deg * rad, phi, tan_phi, S, cos_theta * tan_phi, sin((theta_deg - phi_deg) * rad) / cos(phi)};
   }
 
   /// From the view and light directions and the effective half angle's tangent.
   static WarpModel from_vectors(T n, T f, T tan_phi, const Vec3<T>& view_forward, const Vec3<T>& to_light) {
-    const T sine = glm::length(glm::cross(view_forward, to_light)), cosine = std::abs(glm::dot(view_forward, to_light));
-    const T length = std::hypot(sine, cosine), S = sine / length, C = cosine / length * tan_phi;
-    return {n, f, std::atan2(sine, cosine), std::atan(tan_phi), tan_phi, S, C, S - C};
+    const T sine = glm::length(glm::cross(view_forward, to_light)), cosine = abs(glm::dot(view_forward, to_light));
+    const T length = hypot(sine, cosine), S = sine / length, C = cosine / length * tan_phi;
+    return {n, f, atan2(sine, cosine), atan(tan_phi), tan_phi, S, C, S - C};
   }
 
   bool above_critical() const { return S_minus_C >= T(0); }                            // theta >= phi
@@ -92,7 +92,7 @@ WarpStrength<T> weaker(const WarpStrength<T>& x, const WarpStrength<T>& y) {
 
 template <class T>
 WarpStrength<T> equation_4(const WarpModel<T>& m) {
-  const T g = std::sqrt(m.f) * std::sqrt(m.n);
+  const T g = sqrt(m.f) * sqrt(m.n);
   if (m.above_critical()) return strength_of(g * m.S + m.n * m.S_minus_C, m.W());
   // lambda_2 = (f + g) / (2 f) tan(theta)/tan(phi) - 1/2, over the common factor 2 f C.
   return strength_of(g * m.S + m.f * m.S_minus_C, m.W());
@@ -109,7 +109,7 @@ WarpStrength<T> minimax_line(const WarpModel<T>& m) {
 
 template <class T>
 WarpStrength<T> minimax_whole_frustum(const WarpModel<T>& m) {
-  const T g = std::sqrt(m.f) * std::sqrt(m.n), plus = m.S + m.C;
+  const T g = sqrt(m.f) * sqrt(m.n), plus = m.S + m.C;
   WarpStrength<T> r1, r2;
   if (m.above_critical()) {
     const T d1 = (m.f + g) * plus, d2 = (m.f - m.n) * plus;
@@ -128,21 +128,21 @@ WarpStrength<T> minimax_whole_frustum(const WarpModel<T>& m) {
 /// The strength that a technique chooses (rows of the table in GMNPR 2007, sections 3 and 4; LiSPSM is its Eq. 9).
 template <class T>
 WarpStrength<T> warp_strength(Warp technique, const WarpModel<T>& m) {
-  const T g = std::sqrt(m.f) * std::sqrt(m.n);
+  const T g = sqrt(m.f) * sqrt(m.n);
   if (technique == Warp::uniform || !(m.f > m.n)) return {};
   switch (technique) {
     case Warp::lispsm:
       return detail::strength_of(m.n + g, m.W() * m.S);
     case Warp::lispsm_reference: {  // N = d / (sqrt(z1 / z0) - 1), as the authors' code does it
-      const T rho = std::sqrt(m.n / (m.n + m.W() * m.S));
+      const T rho = sqrt(m.n / (m.n + m.W() * m.S));
       return {true, rho, m.W() * m.S / (m.n + m.W() * m.S) / (T(1) + rho)};
     }
     case Warp::glpr:
       return detail::strength_of(m.above_critical() ? m.n * m.S_minus_C : m.f * m.S_minus_C, m.W());
     case Warp::gmnpr: {
       if (m.above_critical()) return detail::equation_4(m);
-      const T q = std::tan(T(0.785398163397448309615660845819875721L) * (m.theta / m.phi));
-      return detail::strength_of(std::sqrt(m.n), T(2) * std::sqrt(m.f) * q);
+      const T q = tan(half_turn<T>() / T(4) * (m.theta / m.phi));
+      return detail::strength_of(sqrt(m.n), T(2) * sqrt(m.f) * q);
     }
     case Warp::gmnpr_eq4:
       return detail::equation_4(m);
@@ -179,13 +179,13 @@ WarpError<T> warp_error(const WarpModel<T>& m, T rho, T tan_phi_x) {
   const T W = m.W();
   const auto N_at = [&](T t_over_z, T z) { return (T(1) - rho) * (z * t_over_z - m.t_min()) + rho * W; };
   T widest = T(0);  // max |x| / N over the corners
-  for (const T z : {m.n, m.f}) {
+  for (const T& z : {m.n, m.f}) {
     const T N_far_side = N_at(m.S + m.C, z), N_near_side = N_at(m.S_minus_C, z);
     e.E_max_frustum = std::max(e.E_max_frustum, N_far_side / (rho * W) * (N_far_side / (z * m.tan_phi)));
     widest = std::max(widest, z * tan_phi_x / std::min(N_far_side, N_near_side));
   }
   T delta_x = T(0);
-  for (const T z : {m.n, m.f}) delta_x = std::max(delta_x, widest * N_at(m.S + m.C, z) / (z * tan_phi_x));
+  for (const T& z : {m.n, m.f}) delta_x = std::max(delta_x, widest * N_at(m.S + m.C, z) / (z * tan_phi_x));
   e.storage_factor = delta_x * e.E_max_frustum;
   return e;
 }

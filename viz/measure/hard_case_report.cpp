@@ -15,7 +15,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_of(const Compute& compute, int times) {
-  volatile long double sink = 0;
+  volatile double sink = 0;
   const auto start = Clock::now();
   for (int i = 0; i < times; ++i) sink = compute().value;
   (void)sink;
@@ -33,10 +33,10 @@ double median_seconds(const Compute& compute) {
   return batches[4];
 }
 
-std::string digits(long double x, int significant) {
+std::string digits(double x, int significant) {
   if (std::isnan(x)) return "nan";  // never with a sign
   char text[64];
-  std::snprintf(text, sizeof text, "%.*Lg", significant, x);
+  std::snprintf(text, sizeof text, "%.*g", significant, x);
   return text;
 }
 
@@ -48,30 +48,45 @@ std::string answer_text(const HardCase& row, const CaseAnswer& a, int significan
 std::string exact_text(const HardCase& row) {
   if (row.demand == Demand::said) return "said";
   if (row.demand == Demand::refused) return "refused";
-  return std::isnan(row.exact) ? "-" : digits(row.exact, row.closed_form ? 20 : 18);
+  return row.exact.kind == ExactKind::none ? "-" : digits(row.exact.value, 17);
+}
+
+const char* exact_by(const HardCase& row) {
+  constexpr const char* names[] = {"-", "rational", "100 digits"};
+  return row.exact.settled ? names[int(row.exact.kind)] : "UNSETTLED";
+}
+
+std::string bounds_text(const HardCase& row) {
+  const std::string bound = digits(row.double_bound, 2);
+  return row.in_float && row.float_bound != row.double_bound ? bound + " (" + digits(row.float_bound, 2) + ")" : bound;
 }
 
 /// What must hold of the double, and in brackets of the float where less will do.
 std::string demand_text(const HardCase& row) {
-  std::string bound = digits(row.double_bound, 2);
-  if (row.in_float && row.float_bound != row.double_bound) bound += " (" + digits(row.float_bound, 2) + ")";
   switch (row.demand) {
     case Demand::equals:
-      return std::string(row.exact == 0 ? "exact" : "relative") + " +- " + bound;
+      return std::string(row.exact.value == 0 ? "exact" : "relative") + " +- " + bounds_text(row);
     case Demand::texels:
-      return "texels <= " + bound;
+      return "texels <= " + bounds_text(row);
     case Demand::at_most:
-      return "<= " + bound;
+      return "<= " + bounds_text(row);
     case Demand::above:
-      return "> " + bound;
+      return "> " + bounds_text(row);
     default:
       return row.reason;
   }
 }
 
+/// The same with the least of words: +- is relative unless the answer is 0, and texels stand in their columns.
+std::string short_demand(const HardCase& row) {
+  constexpr const char* signs[] = {"+- ", "texels <= ", "<= ", "> "};
+  return row.demand < Demand::said ? signs[int(row.demand)] + bounds_text(row) : "by name";
+}
+
 std::string time_text(double seconds) {
   if (!(seconds > 0)) return "-";
-  return seconds < 1e-6 ? digits(seconds * 1e9, 3) + " ns" : digits(seconds * 1e6, 3) + " us";
+  if (seconds < 1e-6) return digits(seconds * 1e9, 3) + " ns";
+  return seconds < 1e-3 ? digits(seconds * 1e6, 3) + " us" : digits(seconds * 1e3, 3) + " ms";
 }
 
 std::string texels_text(double texels) { return std::isnan(texels) ? "-" : digits(texels, 2); }
@@ -84,47 +99,54 @@ struct Texels {
 };
 Texels texels_of(const MeasuredCase& c) { return {c.in_float.texels, c.two_stages.texels, c.in_double.texels}; }
 
-constexpr int kColumns = 13;
+constexpr int kColumns = 12;
 using Line = std::array<std::string, kColumns>;
 
+Line group_headings() { return {"", "", "", "exact", "must be:", "texels:", "float,", "", "time:", "", "100", ""}; }
+
 Line headings() {
-  return {"no.",           "case",       "computed", "float",   "double",      "exact", "must be: double (float)",
-          "texels: float", "2 matrices", "double",   "verdict", "time: float", "double"};
+  return {"float",   "double", "exact", "known by", "double (float)", "float",
+          "2 matr.", "double", "float", "double",   "digits",         "verdict"};
 }
 
 Line line_of(const MeasuredCase& c) {
   const Texels t = texels_of(c);
-  return {std::to_string(c.row.number),
-          c.row.name,
-          c.row.computed,
-          float_text(c),
+  return {float_text(c),
           answer_text(c.row, c.in_double, 17),
           exact_text(c.row),
-          demand_text(c.row),
+          exact_by(c.row),
+          short_demand(c.row),
           texels_text(t.in_float),
           texels_text(t.two_stages),
           texels_text(t.in_double),
-          name_of(c.verdict),
           time_text(c.float_seconds),
-          time_text(c.double_seconds)};
+          time_text(c.double_seconds),
+          time_text(c.row.exact.seconds),
+          name_of(c.verdict)};
 }
 
-/// Names to the left, numbers to the right.
-std::string aligned(const std::vector<Line>& lines) {
-  constexpr bool to_the_left[kColumns] = {false, true, true, true, true, true, true, false, false, false, true, false, false};
+/// Words to the left, numbers to the right.
+std::vector<std::string> aligned(const std::vector<Line>& lines) {
+  constexpr bool to_the_left[kColumns] = {false, true, true, true, true, false, false, false, false, false, false, true};
   std::array<std::size_t, kColumns> width{};
   for (const Line& line : lines)
     for (int i = 0; i < kColumns; ++i) width[i] = std::max(width[i], line[i].size());
-  std::string text;
+  std::vector<std::string> texts;
   for (const Line& line : lines) {
     std::string row;
     for (int i = 0; i < kColumns; ++i) {
       const std::string pad(width[i] - line[i].size(), ' ');
-      row += (i ? "  " : "") + (to_the_left[i] ? line[i] + pad : pad + line[i]);
+      row += " " + (to_the_left[i] ? line[i] + pad : pad + line[i]);
     }
-    text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    texts.push_back(row.substr(0, row.find_last_not_of(' ') + 1));
   }
-  return text;
+  return texts;
+}
+
+/// "13  w = 1e-7", once for all quantities of one case.
+std::string heading_of(const HardCase& row) {
+  const std::string number = std::to_string(row.number);
+  return std::string(2 - number.size(), ' ') + number + "  " + row.name + "\n";
 }
 
 std::string quoted_csv(const std::string& text) {
@@ -153,7 +175,7 @@ std::string csv_number(double x) { return std::isnan(x) ? "" : number_text(x); }
 std::string json_answer(const char* name, const Compute& compute, const CaseAnswer& a, double seconds) {
   std::string text = std::string("\"") + name + "\": ";
   if (!compute) return text + "null";
-  text += "{\"value\": " + json_number(double(a.value));
+  text += "{\"value\": " + json_number(a.value);
   text += ", \"named\": " + (a.named.empty() ? "null" : quoted_json(a.named));
   text += ", \"texels\": " + json_number(a.texels);
   return text + ", \"seconds\": " + json_number(seconds) + "}";
@@ -166,7 +188,9 @@ std::string json_row(const MeasuredCase& c) {
   text += ", " + json_answer("float", c.row.in_float, c.in_float, c.float_seconds);
   text += ", " + json_answer("double", c.row.in_double, c.in_double, c.double_seconds);
   text += ", \"two_stage_texels\": " + json_number(c.two_stages.texels);
-  text += ", \"exact\": " + json_number(double(c.row.exact)) + ", \"closed_form\": " + (c.row.closed_form ? "true" : "false");
+  text += ", \"exact\": " + json_number(c.row.exact.value) +
+          ", \"exact_by\": " + (c.row.exact.kind == ExactKind::none ? "null" : quoted_json(exact_by(c.row)));
+  text += ", \"exact_seconds\": " + json_number(c.row.exact.seconds);
   text += ", \"demand\": " + quoted_json(demand_text(c.row)) + ", \"verdict\": " + quoted_json(name_of(c.verdict));
   return text + "}";
 }
@@ -192,15 +216,24 @@ std::vector<MeasuredCase> measure_hard_cases() {
 }
 
 std::string hard_cases_text(const std::vector<MeasuredCase>& cases, const Machine& machine) {
-  std::vector<Line> lines{headings()};
+  std::vector<Line> lines{group_headings(), headings()};
   std::array<int, 6> count{};
   for (const MeasuredCase& c : cases) {
     lines.push_back(line_of(c));
     ++count[int(c.verdict)];
   }
-  std::string text = "# " + machine.cpu + "; " + machine.compiler + "; " + std::to_string(cases.size()) +
-                     " rows; a time is that of the whole row, the median of 9 batches; texels of a map of 1,024\n";
-  text += aligned(lines);
+  std::string text =
+      "# " + machine.cpu + "; " + machine.compiler + "; " + std::to_string(cases.size()) +
+      " rows; a time is that of the whole row, the median of 9 batches\n"
+      "# texels of error on a map of 1,024; 2 matr.: two matrices for each vertex; +- is relative unless the answer is 0\n";
+  const std::vector<std::string> rows = aligned(lines);
+  text += rows[0] + "\n" + rows[1] + "\n";
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (i == 0 || cases[i].row.number != cases[i - 1].row.number || cases[i].row.name != cases[i - 1].row.name)
+      text += heading_of(cases[i].row);
+    text += "      " + cases[i].row.computed + (cases[i].row.reason.empty() ? "" : ": " + cases[i].row.reason) + "\n" +
+            rows[i + 2] + "\n";
+  }
   text += "#";
   for (int v = 0; v < int(count.size()); ++v)
     text += std::string(v ? ", " : " ") + name_of(Verdict(v)) + ": " + std::to_string(count[v]);
@@ -209,18 +242,19 @@ std::string hard_cases_text(const std::vector<MeasuredCase>& cases, const Machin
 
 std::string hard_cases_csv(const std::vector<MeasuredCase>& cases, const Machine& machine) {
   std::string text =
-      "case,name,computed,form,float,double,exact,closed_form,demand,float_texels,two_stage_texels,double_texels,verdict,"
-      "float_seconds,double_seconds,cpu,compiler\n";
+      "case,name,computed,form,float,double,exact,exact_by,demand,float_texels,two_stage_texels,double_texels,verdict,"
+      "float_seconds,double_seconds,exact_seconds,cpu,compiler\n";
   for (const MeasuredCase& c : cases) {
     const Texels t = texels_of(c);
-    const auto value = [](const CaseAnswer& a) { return a.named.empty() ? csv_number(double(a.value)) : a.named; };
+    const auto value = [](const CaseAnswer& a) { return a.named.empty() ? csv_number(a.value) : a.named; };
     text += std::to_string(c.row.number) + "," + quoted_csv(c.row.name) + "," + quoted_csv(c.row.computed) + ",";
     text += std::string(c.row.form == Form::ours ? "ours" : "naive") + "," + (c.row.in_float ? value(c.in_float) : "") + ",";
-    text += value(c.in_double) + "," + csv_number(double(c.row.exact)) + "," + (c.row.closed_form ? "1" : "0") + ",";
+    text += value(c.in_double) + "," + csv_number(c.row.exact.value) + "," + exact_by(c.row) + ",";
     text += quoted_csv(demand_text(c.row)) + ",";
     for (const double x : {t.in_float, t.two_stages, t.in_double}) text += csv_number(x) + ",";
     text += std::string(name_of(c.verdict)) + "," + (c.row.in_float ? csv_number(c.float_seconds) : "") + ",";
-    text += csv_number(c.double_seconds) + "," + quoted_csv(machine.cpu) + "," + quoted_csv(machine.compiler) + "\n";
+    text += csv_number(c.double_seconds) + "," + csv_number(c.row.exact.seconds) + "," + quoted_csv(machine.cpu) + "," +
+            quoted_csv(machine.compiler) + "\n";
   }
   return text;
 }

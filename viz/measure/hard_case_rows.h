@@ -2,6 +2,7 @@
 // How the rows of hard_cases.h are written down; private to viz/measure.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -11,8 +12,14 @@
 
 namespace psm {
 
-constexpr Extended kNotANumber = std::numeric_limits<Extended>::quiet_NaN();
+using std::acos, std::fmod, std::isfinite;
+
 constexpr double kDegrees = 57.29577951308232;  // in a radian
+/// The same, rounded to T.
+template <class T>
+T degrees() {
+  return T(180) / half_turn<T>();
+}
 
 /// A strength that is wrong by less than this changes no picture.
 constexpr double kUsable = 1e-4;
@@ -28,11 +35,15 @@ inline CaseAnswer named(std::string reason) {
 /// An input that the compiler must not calculate with: the table says what this machine computes, and how fast.
 template <class T>
 T given(T x) {
-  volatile T opaque = x;
-  return opaque;
+  if constexpr (std::is_arithmetic_v<T>) {
+    volatile T opaque = x;
+    return opaque;
+  } else {
+    return x;
+  }
 }
 
-inline CaseAnswer answer(Extended value, double texels = std::numeric_limits<double>::quiet_NaN()) {
+inline CaseAnswer answer(double value, double texels = std::numeric_limits<double>::quiet_NaN()) {
   CaseAnswer a;
   a.value = value;
   a.texels = texels;
@@ -41,36 +52,65 @@ inline CaseAnswer answer(Extended value, double texels = std::numeric_limits<dou
 
 inline CaseAnswer as_answer(CaseAnswer a) { return a; }
 template <class T>
-requires std::is_arithmetic_v<T> CaseAnswer as_answer(T value) { return answer(Extended(value)); }
+CaseAnswer as_answer(const T& value) {
+  return answer(double(value));
+}
+
+inline Exact exactly(const Rational& value) { return {double(value), ExactKind::rational}; }
+inline Exact exactly(double numerator, double denominator = 1) { return exactly(Rational(numerator) / Rational(denominator)); }
+
+/// f(T{}) in 100 digits and in 200.
+template <class F>
+Exact in_digits(const F& f) {
+  const auto start = std::chrono::steady_clock::now();
+  const double value = as_answer(f(Wide<100>{})).value;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (isnan(value)) return {};
+  return {value, ExactKind::digits, value == as_answer(f(Wide<200>{})).value, seconds};
+}
 
 /// The table while it is written. Each function takes the number, the case, the quantity, and a function of the arithmetic:
 /// f(T{}) gives a number or a CaseAnswer. The returned reference lets a row say more.
 class Rows {
  public:
-  /// The closed form `exact`, met by double within `bound`, by float as far as its use needs it.
+  /// The answer `exact`, by a formula of its own, met by double within `bound`, by float as far as its use needs it.
   template <class F>
-  HardCase& equals(int number, const char* name, const char* computed, Extended exact, double bound, F f) {
+  HardCase& equals(int number, const char* name, const char* computed, const Exact& exact, double bound, F f) {
     HardCase& row = add(number, name, computed, f);
     row.demand = Demand::equals;
     row.exact = exact;
-    row.closed_form = true;
     row.double_bound = bound;
     row.float_bound = kUsable;
     return row;
   }
 
-  /// The same where no closed form exists: extended arithmetic gives the exact answer.
+  /// The same where there is no other formula: the one at hand in 100 digits.
   template <class F>
   HardCase& follows(int number, const char* name, const char* computed, double bound, F f) {
-    HardCase& row = equals(number, name, computed, as_answer(f(Extended{})).value, bound, f);
-    row.closed_form = false;
-    return row;
+    return equals(number, name, computed, in_digits(f), bound, f);
   }
 
   /// At most `double_bound` in double and `float_bound` in float.
   template <class F>
   HardCase& at_most(int number, const char* name, const char* computed, double double_bound, double float_bound, F f) {
     HardCase& row = follows(number, name, computed, double_bound, f);
+    row.demand = Demand::at_most;
+    row.float_bound = float_bound;
+    return row;
+  }
+
+  /// The same of an error or a move on the map: f(T{}, path) goes that way in float, and also by two matrices.
+  template <class F>
+  HardCase& map_at_most(int number, const char* name, const char* computed, double double_bound, double float_bound, F f) {
+    HardCase& row = at_most(number, name, computed, double_bound, float_bound, [f](auto t) { return f(t, FloatPath::composed); });
+    row.two_stages = [f] { return as_answer(f(float{}, FloatPath::through_view)); };
+    return row;
+  }
+
+  /// The same of what is measured against the exact answer, and so is 0 there.
+  template <class F>
+  HardCase& error_at_most(int number, const char* name, const char* computed, double double_bound, double float_bound, F f) {
+    HardCase& row = equals(number, name, computed, exactly(0), double_bound, f);
     row.demand = Demand::at_most;
     row.float_bound = float_bound;
     return row;
@@ -104,23 +144,37 @@ class Rows {
   /// the matrix in the arithmetic T.
   template <class Build>
   HardCase& map(int number, const char* name, const char* computed, const MapScene& s, double double_bound, Build build) {
-    const auto exact = std::make_shared<std::vector<Vec3<Extended>>>(map_points<Extended>(build, s, s.receivers));
-    return map_against(number, name, computed, s, double_bound, exact, build);
+    return map_against(number, name, computed, s, double_bound, exact_map(s, build), build);
+  }
+
+  static std::vector<glm::dvec3> rounded(const std::vector<Vec3<Wide<100>>>& points) { return {points.begin(), points.end()}; }
+
+  /// Where every receiver belongs, and u of the last one.
+  struct ExactMap {
+    std::shared_ptr<const std::vector<glm::dvec3>> points;  // rounded once
+    Exact last_u;
+  };
+  template <class Build>
+  static ExactMap exact_map(const MapScene& s, const Build& build) {
+    ExactMap exact;
+    exact.points = std::make_shared<std::vector<glm::dvec3>>(rounded(map_points<Wide<100>>(build, s, s.receivers)));
+    exact.last_u = in_digits([&](auto t) { return map_points<decltype(t)>(build, s, {s.receivers.back()}).back().x; });
+    return exact;
   }
 
   template <class Build>
   HardCase& map_against(int number, const char* name, const char* computed, const MapScene& s, double double_bound,
-                        std::shared_ptr<std::vector<Vec3<Extended>>> exact, Build build, FloatPath path = FloatPath::composed) {
-    const auto at = [s, build, exact](auto t, FloatPath by) {
+                        const ExactMap& exact, Build build, FloatPath path = FloatPath::composed) {
+    const auto at = [s, build, right = exact.points](auto t, FloatPath by) {
       const auto points = map_points<decltype(t)>(build, s, s.receivers, by);
-      return answer(Extended(points.back().x), texel_distance(points, *exact));
+      return answer(double(points.back().x), texel_distance(points, *right));
     };
     HardCase& row = add(number, name, computed, [at, path](auto t) { return at(t, path); });
     row.two_stages = [at, path] {
       return at(float{}, path == FloatPath::world ? FloatPath::world_through_view : FloatPath::through_view);
     };
     row.demand = Demand::texels;
-    row.exact = exact->back().x;
+    row.exact = exact.last_u;
     row.double_bound = double_bound;
     row.float_bound = kVisibleTexels;
     return row;
@@ -138,11 +192,8 @@ class Rows {
     return rows_.emplace_back(std::move(row));
   }
 
-  /// Others do this, and it fails.
-  static void naive(HardCase& row) { row.form = Form::naive, row.known_to_fail = true; }
-  /// Others do this, and here it does not fail.
-  static void harmless(HardCase& row) { row.form = Form::naive; }
-  static void float_fails(HardCase& row) { row.known_to_fail = true; }
+  /// Others do this.
+  static void naive(HardCase& row) { row.form = Form::naive; }
 
   std::vector<HardCase> take() { return std::move(rows_); }
 

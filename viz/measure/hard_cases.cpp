@@ -24,7 +24,7 @@ std::vector<HardCase> hard_cases() {
 bool meets(const HardCase& row, const CaseAnswer& answer, double bound) {
   if (row.demand == Demand::said || row.demand == Demand::refused) return answer.named == row.reason;
   if (!answer.named.empty()) return false;
-  const long double value = answer.value, exact = row.exact;
+  const double value = answer.value, exact = row.exact.value;
   switch (row.demand) {
     case Demand::equals:
       if (std::isinf(exact)) return value == exact;

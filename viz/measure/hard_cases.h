@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hard cases of shadow mapping in one table: inputs at which formulas cancel, divide by zero, jump or do not exist, each with
-// its exact answer or with what must hold, computed in float, double and extended arithmetic.
+// its exact answer or with what must hold, computed in float, in double, and exactly.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace psm {
 /// What one arithmetic gives. A value that is not a number is an answer too; `named` is the name of the reason where the program
 /// gives none, or of what it says about it.
 struct CaseAnswer {
-  long double value = std::numeric_limits<long double>::quiet_NaN();
+  double value = std::numeric_limits<double>::quiet_NaN();
   double texels = std::numeric_limits<double>::quiet_NaN();  // error on a map of 1,024; NaN: no map is involved
   std::string named;
 };
@@ -30,6 +30,17 @@ enum class Demand {
 /// What psmlab does, or what others do and psmlab does not; then the row exists to show the difference.
 enum class Form { ours, naive };
 
+/// How the exact answer is known: a fraction of integers, or 100 digits that round to the same double as 200 do.
+enum class ExactKind { none, rational, digits };
+
+/// The exact answer, rounded once.
+struct Exact {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  ExactKind kind = ExactKind::none;
+  bool settled = true;  // digits: 100 and 200 of them round to the same double
+  double seconds = 0;   // digits: one evaluation with 100
+};
+
 using Compute = std::function<CaseAnswer()>;
 
 struct HardCase {
@@ -38,13 +49,10 @@ struct HardCase {
   std::string computed;  // the quantity, its unit, and the function
   Form form = Form::ours;
   Demand demand = Demand::equals;
-  double double_bound = 0;  // what double must meet
-  double float_bound = 0;   // what the use of the number needs; float is held to that
-  std::string reason;       // said, refused
-  /// The exact answer: a closed form, or where `closed_form` is false the same function in extended arithmetic; NaN: neither.
-  long double exact = std::numeric_limits<long double>::quiet_NaN();
-  bool closed_form = false;
-  bool known_to_fail = false;   // ours: in float; naive: in float, in double or in both
+  double double_bound = 0;      // what double must meet
+  double float_bound = 0;       // what the use of the number needs; float is held to that
+  std::string reason;           // said, refused
+  Exact exact;                  // of the same inputs, by a formula of its own or by the same one
   bool known_limit = false;     // ours, and it fails in every arithmetic: a limit of what psmlab does
   Compute in_float, in_double;  // in_float empty: the program has no float path here
   Compute two_stages;           // maps: in float with two matrices for each vertex, for comparison; else empty

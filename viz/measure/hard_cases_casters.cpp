@@ -28,26 +28,26 @@ void add_casters_behind_the_eye(Rows& rows) {
     const auto p = map_points<T>(psm_builder(s), s, {receiver, behind});
     return p[1].z - p[0].z;
   });
-  rows.at_most(25, "caster 16 behind the eye", "its (u, v) less its receiver's, texels", kDoubleTexels, kVisibleTexels,
-               [=](auto t) {
-                 using T = decltype(t);
-                 const auto p = map_points<T>(psm_builder(s), s, {receiver, behind});
-                 const double d = texel_distance<T, T>({p[0]}, {p[1]});
-                 return answer(d, d);
-               });
-  rows.at_most(26, "vertex of H with w = 0", "its (u, v) less its receiver's, texels, composed", kDoubleTexels, kVisibleTexels,
-               [=](auto t) {
-                 using T = decltype(t);
-                 const auto p = map_points<T>(psm_builder(s), s, {receiver, in_plane});
-                 const double d = texel_distance<T, T>({p[0]}, {p[1]});
-                 return answer(d, d);
-               });
+  rows.map_at_most(25, "caster 16 behind the eye", "its (u, v) less its receiver's, texels", kDoubleTexels, kVisibleTexels,
+                   [=](auto t, FloatPath path) {
+                     using T = decltype(t);
+                     const auto p = map_points<T>(psm_builder(s), s, {receiver, behind}, path);
+                     const double d = texel_distance<T, T>({p[0]}, {p[1]});
+                     return answer(d, d);
+                   });
+  rows.map_at_most(26, "vertex of H with w = 0", "its (u, v) less its receiver's, texels", kDoubleTexels, kVisibleTexels,
+                   [=](auto t, FloatPath path) {
+                     using T = decltype(t);
+                     const auto p = map_points<T>(psm_builder(s), s, {receiver, in_plane}, path);
+                     const double d = texel_distance<T, T>({p[0]}, {p[1]});
+                     return answer(d, d);
+                   });
   Rows::naive(
       rows.at_most(26, "vertex of H with w = 0", "coordinates in the cube, divided by w, that are not finite", 0, 0, [=](auto t) {
         using T = decltype(t);
         const Vec4<T> q = clip_from_world<T>(s) * Vec4<T>(Vec3<T>(in_plane), 1);
         int bad = 0;
-        for (int i = 0; i < 3; ++i) bad += !std::isfinite(q[i] / q.w);
+        for (int i = 0; i < 3; ++i) bad += !isfinite(q[i] / q.w);
         return bad;
       }));
   // c.l = 0: w does not change along a ray. The eye's own w does.
@@ -61,7 +61,7 @@ void add_casters_behind_the_eye(Rows& rows) {
                    return std::abs(q[1].w / q[0].w - 1);
                  } else {
                    const Vec4<T> c = row(build(T{}), 3);
-                   return std::abs(glm::dot(c, Vec4<T>(Vec3<T>(behind), 1)) / glm::dot(c, Vec4<T>(Vec3<T>(receiver), 1)) - T(1));
+                   return abs(glm::dot(c, Vec4<T>(Vec3<T>(behind), 1)) / glm::dot(c, Vec4<T>(Vec3<T>(receiver), 1)) - T(1));
                  }
                });
   Rows::naive(
@@ -79,16 +79,16 @@ void add_snapping(Rows& rows) {
     return T(at_zero) / T(1000);
   };
   Rows::naive(rows.at_most(41, "snapping to texels, x - fmod(x, 1)", "width of the step around 0, texels", 1, 1,
-                           [=](auto t) { return zero_step(t, [](auto x) { return x - std::fmod(x, decltype(x)(1)); }); }));
-  rows.at_most(41, "eye moved from x = -1e-6 to 1e-6, psmlab does not snap", "jump of the map, texels, PSM", 1e-3, 0.1,
-               [](auto t) {
-                 using T = decltype(t);
-                 MapScene left = frustum_scene(), right = left;  // the same receivers
-                 left.eye.x = -1e-6, right.eye.x = 1e-6;
-                 const double d = texel_distance(map_points<T>(psm_builder(left), left, left.receivers),
-                                                 map_points<T>(psm_builder(right), right, left.receivers));
-                 return answer(d, d);
-               });
+                           [=](auto t) { return zero_step(t, [](auto x) { return x - fmod(x, decltype(x)(1)); }); }));
+  rows.map_at_most(41, "eye moved from x = -1e-6 to 1e-6, psmlab does not snap", "jump of the map, texels, PSM", 1e-3, 0.1,
+                   [](auto t, FloatPath path) {
+                     using T = decltype(t);
+                     MapScene left = frustum_scene(), right = left;  // the same receivers
+                     left.eye.x = -1e-6, right.eye.x = 1e-6;
+                     const double d = texel_distance(map_points<T>(psm_builder(left), left, left.receivers, path),
+                                                     map_points<T>(psm_builder(right), right, left.receivers, path));
+                     return answer(d, d);
+                   });
 }
 
 }  // namespace

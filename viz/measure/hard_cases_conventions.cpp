@@ -33,10 +33,10 @@ void add_light_vectors(Rows& rows) {
 
 void add_depth_conventions(Rows& rows) {
   const MapScene s = lit_by({0.1, 1, -0.4, 0}), opposite = lit_by({-0.1, -1, 0.4, 0});
-  rows.at_most(33, "l -> -l", "|u|, v less those of l, texels", kDoubleTexels, kVisibleTexels, [=](auto t) {
+  rows.map_at_most(33, "l -> -l", "|u|, v less those of l, texels", kDoubleTexels, kVisibleTexels, [=](auto t, FloatPath path) {
     using T = decltype(t);
-    auto a = map_points<T>(map_builder(s, MapTechnique::psm), s, s.receivers),
-         b = map_points<T>(map_builder(opposite, MapTechnique::psm), opposite, s.receivers);
+    auto a = map_points<T>(map_builder(s, MapTechnique::psm), s, s.receivers, path),
+         b = map_points<T>(map_builder(opposite, MapTechnique::psm), opposite, s.receivers, path);
     for (auto& p : b) p.x = -p.x;  // the map is seen from its other side
     const double d = texel_distance(a, b);
     return answer(d, d);
@@ -59,7 +59,7 @@ void add_depth_conventions(Rows& rows) {
   };
   for (const int convention : {0, 1}) {
     const char* name = convention == 0 ? "D3D depth" : "reversed depth";
-    rows.equals(34, name, "z / w of the infinity plane", convention == 0 ? Extended(100) / 99 : Extended(-1) / 99, 1e-13,
+    rows.equals(34, name, "z / w of the infinity plane", convention == 0 ? exactly(100, 99) : exactly(-1, 99), 1e-13,
                 [=](auto t) {
                   using T = decltype(t);
                   const Vec4<T> L = depth_row(t, convention) * clip_from_world<T>(s) * unit_light<T>(s);
@@ -74,8 +74,7 @@ void add_depth_conventions(Rows& rows) {
       return fit_map<T>(frame_of<T>(s), psm_plane<T>(clip, unit_light<T>(s), receivers).plane, receivers, receivers)
           .map_from_world;
     };
-    const auto exact =
-        std::make_shared<std::vector<Vec3<Extended>>>(map_points<Extended>(map_builder(s, MapTechnique::psm), s, s.receivers));
+    const auto exact = Rows::exact_map(s, map_builder(s, MapTechnique::psm));
     rows.map_against(34, name, "u, PSM in the symmetric cube", s, kDoubleTexels, exact, [=](auto t) { return of_cube(t, true); });
     Rows::naive(rows.map_against(34, name, "u, looking at the origin of that cube: another plane", s, kDoubleTexels, exact,
                                  [=](auto t) { return of_cube(t, false); }));
@@ -84,33 +83,33 @@ void add_depth_conventions(Rows& rows) {
 
 /// The largest move of the map while the light turns through +Y (or -Y) by 1e-7.
 template <class T>
-CaseAnswer jump_at_pole(double y) {
+CaseAnswer jump_at_pole(double y, FloatPath path) {
   CaseAnswer worst = answer(0, 0);
   for (const glm::dvec2 side : {glm::dvec2(1e-7, 0), glm::dvec2(0, 1e-7), glm::dvec2(1e-7, 1e-7)}) {
-    const CaseAnswer j = jump<T>(lit_by({side.x, y, side.y, 0}), lit_by({-side.x, y, -side.y, 0}));
+    const CaseAnswer j = jump<T>(lit_by({side.x, y, side.y, 0}), lit_by({-side.x, y, -side.y, 0}), path);
     if (!(j.texels <= worst.texels)) worst = j;
   }
   return worst;
 }
 
 void add_bases(Rows& rows) {
-  rows.at_most(36, "light through +Y", "jump of the map, texels, PSM", 2e-2, kFlicker,
-               [](auto t) { return jump_at_pole<decltype(t)>(1); });
-  rows.at_most(36, "light through -Y", "jump of the map, texels, PSM", 2e-2, kFlicker,
-               [](auto t) { return jump_at_pole<decltype(t)>(-1); });
+  rows.map_at_most(36, "light through +Y", "jump of the map, texels, PSM", 2e-2, kFlicker,
+                   [](auto t, FloatPath path) { return jump_at_pole<decltype(t)>(1, path); });
+  rows.map_at_most(36, "light through -Y", "jump of the map, texels, PSM", 2e-2, kFlicker,
+                   [](auto t, FloatPath path) { return jump_at_pole<decltype(t)>(-1, path); });
   // A window must turn somewhere: psmlab's follows the view direction as the light sees it, so it turns where the two are
   // parallel. There the map is uniform: its texels keep their size, but their grid turns.
-  rows.at_most(36, "light through the view direction by 1e-7", "jump of the map, texels, PSM", 2e-2, kFlicker,
-               [](auto t) {
-                 using T = decltype(t);
-                 return jump<T>(lit_by({1e-7, 0, 1, 0}), lit_by({0, 1e-7, 1, 0}));
-               })
+  rows.map_at_most(36, "light through the view direction by 1e-7", "jump of the map, texels, PSM", 2e-2, kFlicker,
+                   [](auto t, FloatPath path) {
+                     using T = decltype(t);
+                     return jump<T>(lit_by({1e-7, 0, 1, 0}), lit_by({0, 1e-7, 1, 0}), path);
+                   })
       .known_limit = true;
   Rows::naive(rows.at_most(36, "light through +Y, up = +Y fixed", "turn of the light's x axis, degrees", 1, 1, [](auto t) {
     using T = decltype(t);
     const auto x_axis = [](T x) { return row(glm::lookAtRH(Vec3<T>(given(x), 1, 0), Vec3<T>(0), Vec3<T>(0, 1, 0)), 0); };
     const Vec3<T> a(x_axis(T(1e-7))), b(x_axis(T(-1e-7)));
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * T(kDegrees);
+    return atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * degrees<T>();
   }));
 }
 
@@ -124,32 +123,34 @@ std::vector<Vec3<T>> unit_vectors() {
 }
 
 void add_angles(Rows& rows) {
-  rows.equals(38, "|dot| > 1 by rounding", "angles between a unit vector and itself that are no number", 0, 0, [](auto t) {
+  rows.equals(38, "|dot| > 1 by rounding", "angles between a unit vector and itself that are no number", exactly(0), 0,
+              [](auto t) {
+                int bad = 0;
+                for (const auto& v : unit_vectors<decltype(t)>()) bad += isnan(line_angle(v, v));
+                return bad;
+              });
+  Rows::naive(rows.equals(38, "|dot| > 1 by rounding", "the same by acos, of 1,000", exactly(0), 0, [](auto t) {
     int bad = 0;
-    for (const auto& v : unit_vectors<decltype(t)>()) bad += std::isnan(line_angle(v, v));
-    return bad;
-  });
-  Rows::naive(rows.equals(38, "|dot| > 1 by rounding", "the same by acos, of 1,000", 0, 0, [](auto t) {
-    int bad = 0;
-    for (const auto& v : unit_vectors<decltype(t)>()) bad += std::isnan(std::acos(glm::dot(v, v)));
+    for (const auto& v : unit_vectors<decltype(t)>()) bad += isnan(acos(glm::dot(v, v)));
     return bad;
   }));
-  const auto vectors = [](auto t) {
+  const Wide<100> a = Wide<100>(1) / Wide<100>(100) * half_turn<Wide<100>>() / Wide<100>(180);
+  const glm::dvec2 turned(double(sin(a)), double(cos(a)));
+  const auto vectors = [turned](auto t) {
     using T = decltype(t);
-    const Extended a = Extended(0.01L) / 57.295779513082320876798154814105170L;
-    const Vec3<T> v(0, given(T(0.6)), T(-0.8)), l(T(std::sin(a)), T(0.6L * std::cos(a)), T(-0.8L * std::cos(a)));
+    const Vec3<T> v(0, given(T(0.6)), T(-0.8)), l(T(turned.x), T(0.6 * turned.y), T(-0.8 * turned.y));
     return std::pair(v, l);
   };
   // The vectors' own roundings turn them by 1e-16 rad, of 1.7e-4.
-  rows.equals(38, "theta = 0.01 deg", "theta by atan2, degrees", Extended(0.01L), 1e-11,
+  rows.equals(38, "theta = 0.01 deg", "theta by atan2, degrees", exactly(1, 100), 1e-11,
               [=](auto t) {
                 const auto [v, l] = vectors(t);
-                return line_angle(v, l) * decltype(t)(57.295779513082320876798154814105170L);
+                return line_angle(v, l) * degrees<decltype(t)>();
               })
       .float_bound = 1e-2;
-  Rows::naive(rows.equals(38, "theta = 0.01 deg", "theta by acos, degrees", Extended(0.01L), 1e-11, [=](auto t) {
+  Rows::naive(rows.equals(38, "theta = 0.01 deg", "theta by acos, degrees", exactly(1, 100), 1e-11, [=](auto t) {
     const auto [v, l] = vectors(t);
-    return std::acos(std::min(glm::dot(v, l), decltype(t)(1))) * decltype(t)(57.295779513082320876798154814105170L);
+    return acos(std::min(glm::dot(v, l), decltype(t)(1))) * degrees<decltype(t)>();
   }));
 }
 

@@ -44,7 +44,7 @@ int not_finite(const Analysis& a) {
 /// Smallest w of the map on the receivers over the largest.
 template <class T>
 CaseAnswer smallest_w(const Analysis& a) {
-  Range<Extended> w;
+  Range<double> w;
   const std::vector<dvec3>& points = a.receivers_body.vertices;
   if constexpr (std::is_same_v<T, float>)
     for (const glm::vec4& q : float_clip_points(*a.map_from_world, {}, points, FloatPath::composed)) w.add(q.w);
@@ -73,7 +73,7 @@ HardCase& notes(Rows& rows, int number, const char* name, const char* computed, 
 }
 
 void add_lights_in_the_scene(Rows& rows) {
-  rows.equals(21, "point 3 behind the eye, H shifted in front", "w after the shift = n", 1, 1e-15, [](auto t) {
+  rows.equals(21, "point 3 behind the eye, H shifted in front", "w after the shift = n", exactly(1), 1e-15, [](auto t) {
     using T = decltype(t);
     const std::vector<T> depths{T(-3), T(-1), T(4)};  // the light and two vertices of H
     return T(-3) + shift_in_front<T>(depths, T(1));
@@ -132,28 +132,30 @@ void add_degenerate_bodies(Rows& rows) {
         box_scene({-1000, -1, -1000}, {1000, 1.6, 1000}));
   analysis_row(rows, 37, "eye inside the scene, LiSPSM", "smallest depth of R in an analysis", Demand::above, 0,
                [scene = room(), x = standing(Technique::lispsm_reference)] { return *analyze(x, scene).near; });
-  rows.equals(39, "5 of 8 points rejected", "lower end of the range of those at 5, 6, 7", 5, 0, [](auto t) {
+  rows.equals(39, "5 of 8 points rejected", "lower end of the range of those at 5, 6, 7", exactly(5), 0, [](auto t) {
     using T = decltype(t);
     Range<T> range;
     for (int i = 0; i < 8; ++i)
       if (given(i) >= 5) range.add(T(i));
     return range.min;
   });
-  Rows::naive(rows.equals(39, "5 of 8 points rejected", "the same where they stay in an array of zeros", 5, 0, [](auto t) {
-    using T = decltype(t);
-    T kept[8] = {};
-    for (int i = 5; i < 8; ++i) kept[i] = given(T(i));
-    return *std::min_element(kept, kept + 8);
-  }));
+  Rows::naive(
+      rows.equals(39, "5 of 8 points rejected", "the same where they stay in an array of zeros", exactly(5), 0, [](auto t) {
+        using T = decltype(t);
+        T kept[8] = {};
+        for (int i = 5; i < 8; ++i) kept[i] = given(T(i));
+        return *std::min_element(kept, kept + 8);
+      }));
 }
 
 template <class T>
 T tan_phi_effective(T light_x, T light_y, T tan_x, T tan_y) {
-  return (std::abs(light_x) * tan_x + std::abs(light_y) * tan_y) / std::hypot(light_x, light_y);
+  return (abs(light_x) * tan_x + abs(light_y) * tan_y) / hypot(light_x, light_y);
 }
 
 void add_angles_and_footprints(Rows& rows) {
-  rows.equals(29, "square frustum, diagonal light", "tan(phi_eff) / tan(phi)", std::sqrt(Extended(2)), 1e-15,
+  const Exact root_2 = in_digits([](auto t) { return sqrt(decltype(t)(2)); });
+  rows.equals(29, "square frustum, diagonal light", "tan(phi_eff) / tan(phi)", root_2, 1e-15,
               [](auto t) { return tan_phi_effective<decltype(t)>(given(decltype(t)(1)), 1, 1, 1); });
   HardCase& row =
       rows.analysis(29, "square frustum, diagonal light", "the same in an analysis", Demand::equals, [scene = room()] {
@@ -161,10 +163,9 @@ void add_angles_and_footprints(Rows& rows) {
         x.light.to_light = {1, 1, -0.5};
         return std::tan(*analyze(x, scene).phi) / std::tan(30 / kDegrees);
       });
-  row.exact = std::sqrt(Extended(2));
-  row.closed_form = true;
+  row.exact = root_2;
   row.double_bound = 1e-14;
-  const Extended inf = std::numeric_limits<Extended>::infinity();
+  const Exact inf{std::numeric_limits<double>::infinity(), ExactKind::rational};
   const auto m_of = [](auto t, dvec4 light, dvec3 normal) {
     using T = decltype(t);
     MapScene s;
@@ -177,9 +178,11 @@ void add_angles_and_footprints(Rows& rows) {
   rows.equals(30, "receiver contains the light ray, along an axis", "m, px", inf, 0, [=](auto t) {
     return m_of(t, {0, 1, 0, 0}, {0, 0, 1});
   });
-  rows.above(30, "receiver contains the light ray, askew", "m, px: large, not NaN", 1e4, [=](auto t) {
-    return m_of(t, {0.1, 1, -0.4, 0}, {0.0, 0.4, 1.0});
-  });
+  rows.above(30, "receiver contains the light ray, askew", "m, px: large, not NaN", 1e4,
+             [=](auto t) {
+               return m_of(t, {0.1, 1, -0.4, 0}, {0.0, 0.4, 1.0});
+             })
+      .exact = inf;
 }
 
 /// The room times a factor, seen and lit alike.
@@ -204,7 +207,7 @@ void add_scales(Rows& rows) {
     const char* name = factor < 1 ? "scene times 1e-4" : "scene times 1e4";
     HardCase& same = analysis_row(rows, 42, name, "of S, R, H, H_R: bodies with other facets than at scale 1", Demand::equals, 0,
                                   [=] { return bodies_that_differ(scaled_room(factor), scaled_room(1)); });
-    same.exact = 0, same.closed_form = true;
+    same.exact = exactly(0);
     const auto difference = [=](auto t) {
       using T = decltype(t);
       const Analysis a = scaled_room(1), b = scaled_room(factor);

@@ -9,7 +9,6 @@ namespace {
 
 // A few roundings of double, for sums of non-negative terms.
 constexpr double kFewUlps = 16 * 2.220446049250313e-16;
-const Extended kSqrt3 = std::sqrt(Extended(3));
 
 template <class T>
 WarpModel<T> model_at(double theta_deg, double f = 100) {
@@ -31,20 +30,20 @@ template <class T>
 CaseAnswer lambda_of(Warp warp, const WarpModel<T>& m) {
   const auto strength = warp_strength(warp, m);
   if (!strength.exists) return named(warp == Warp::glpr ? "glpr_needs_theta_above_phi" : "lambda_not_positive");
-  return answer(Extended(strength.lambda()));
+  return answer(double(strength.lambda()));
 }
 
 void add_regular_angles(Rows& rows) {
-  rows.equals(1, "theta = 90 deg", "lambda of GMNPR", 1 / Extended(9), kFewUlps,
+  rows.equals(1, "theta = 90 deg", "lambda of GMNPR", exactly(1, 9), kFewUlps,
               [](auto t) { return warp_strength(Warp::gmnpr, model_at<decltype(t)>(90)).lambda(); });
-  rows.equals(1, "theta = 90 deg", "F(n) / F(f) of GMNPR", 1, kFewUlps, [](auto t) {
+  rows.equals(1, "theta = 90 deg", "F(n) / F(f) of GMNPR", exactly(1), kFewUlps, [](auto t) {
     const auto e = error_of(Warp::gmnpr, model_at<decltype(t)>(90));
     return e.F_near / e.F_far;
   });
-  rows.equals(2, "theta = phi, from above", "lambda of GMNPR, Eq. 4", Extended(0.05L), kFewUlps,
+  rows.equals(2, "theta = phi, from above", "lambda of GMNPR, Eq. 4", exactly(1, 20), kFewUlps,
               [](auto t) { return warp_strength(Warp::gmnpr, model_at<decltype(t)>(30)).lambda(); });
   // One rounding below phi moves theta by 1.2e-16 of itself and lambda by no more than that times (pi/2) / (lambda ...) ~ 4.
-  rows.equals(2, "theta = phi, from below", "lambda of GMNPR, Eq. 7, one rounding below phi", Extended(0.05L), 4 * kFewUlps,
+  rows.equals(2, "theta = phi, from below", "lambda of GMNPR, Eq. 7, one rounding below phi", exactly(1, 20), 4 * kFewUlps,
               [](auto t) {
                 using T = decltype(t);
                 const auto m = WarpModel<T>::from_degrees(T(1), T(100), T(30), std::nextafter(given(T(30)), T(0)));
@@ -57,46 +56,41 @@ void add_regular_angles(Rows& rows) {
 void add_critical_angle(Rows& rows) {
   rows.at_most(3, "theta = phi +- 1e-12 rad", "jump of lambda of GMNPR over the step", 1e-12, 1e-12, [](auto t) {
     using T = decltype(t);
-    return std::abs(warp_strength(Warp::gmnpr, model_at<T>(30 + 1e-12 * kDegrees)).lambda() -
-                    warp_strength(Warp::gmnpr, model_at<T>(30 - 1e-12 * kDegrees)).lambda());
+    return abs(warp_strength(Warp::gmnpr, model_at<T>(30 + 1e-12 * kDegrees)).lambda() -
+               warp_strength(Warp::gmnpr, model_at<T>(30 - 1e-12 * kDegrees)).lambda());
   });
   // theta - phi is exact in degrees (Sterbenz), so that only the typed angle's own rounding remains: extended takes the same one.
   // In float the two angles are the same number.
-  Rows::float_fails(rows.follows(3, "theta = phi + 1e-12 rad", "lambda of GLPR, from degrees", kFewUlps,
-                                 [](auto t) { return lambda_of(Warp::glpr, model_at<decltype(t)>(30 + 1e-12 * kDegrees)); }));
+  rows.follows(3, "theta = phi + 1e-12 rad", "lambda of GLPR, from degrees", kFewUlps,
+               [](auto t) { return lambda_of(Warp::glpr, model_at<decltype(t)>(30 + 1e-12 * kDegrees)); });
+  const Wide<100> theta = half_turn<Wide<100>>() / Wide<100>(6) + Wide<100>(1e-12);
+  const glm::dvec2 light(double(sin(theta)), -double(cos(theta)));
   // From vectors sin(theta) - cos(theta) tan(phi) cancels: 3 roundings of 1/2 over 1e-12 / cos(phi).
-  Rows::float_fails(rows.equals(
-      3, "the same, from vectors", "lambda of GLPR, S - C cancels",
-      [] {
-        const Extended s = std::sin(Extended(1e-12)), phi = std::atan(1 / kSqrt3);
-        return s / (100 * std::sin(2 * phi + Extended(1e-12)) - s);
-      }(),
-      1e-3,
-      [](auto t) {
+  rows.equals(
+      3, "the same, from vectors", "lambda of GLPR, S - C cancels", in_digits([](auto t) {
         using T = decltype(t);
-        const Extended theta = std::atan(1 / kSqrt3) + given(Extended(1e-12));
-        const Vec3<T> to_light(T(0), T(std::sin(theta)), T(-std::cos(theta)));
-        return lambda_of(Warp::glpr, WarpModel<T>::from_vectors(T(1), T(100), T(1 / kSqrt3), {0, 0, -1}, to_light));
-      }));
+        const T s = sin(T(1e-12)), phi = half_turn<T>() / T(6);
+        return s / (T(100) * sin(T(2) * phi + T(1e-12)) - s);
+      }),
+      1e-3, [light](auto t) {
+        using T = decltype(t);
+        const Vec3<T> to_light(T(0), T(given(light.x)), T(given(light.y)));
+        return lambda_of(Warp::glpr, WarpModel<T>::from_vectors(T(1), T(100), T(0.57735026918962576), {0, 0, -1}, to_light));
+      });
 }
 
 void add_light_along_the_view(Rows& rows) {
-  rows.equals(4, "theta = 0", "largest |1 - rho| of the techniques", 0, 0, [](auto t) {
+  rows.equals(4, "theta = 0", "largest |1 - rho| of the techniques", exactly(0), 0, [](auto t) {
     using T = decltype(t);
     T largest(0);
     for (const Warp w : {Warp::lispsm, Warp::lispsm_reference, Warp::gmnpr, Warp::minimax, Warp::minimax_frustum})
       largest = std::max(largest, warp_strength(w, model_at<T>(0)).one_minus_rho);
     return largest;
   });
-  rows.equals(4, "theta = 0, any axis", "E(n) of the uniform map, 2 f / n", 200, kFewUlps,
+  rows.equals(4, "theta = 0, any axis", "E(n) of the uniform map, 2 f / n", exactly(200), kFewUlps,
               [](auto t) { return model_at<decltype(t)>(0).E(1, 1); });
-  // rho = sqrt(n) / (sqrt(n) + 2 sqrt(f) q), q = tan(pi theta / (4 phi)) = 1.5e-12 up to 1e-36.
-  rows.equals(5, "theta = 1e-12 rad", "1 - rho of GMNPR", Extended(3e-11L) / (1 + Extended(3e-11L)), 4 * kFewUlps, [](auto t) {
-    using T = decltype(t);
-    return warp_strength(Warp::gmnpr,
-                         WarpModel<T>::from_degrees(T(1), T(100), T(30), given(T(1e-12L * 57.295779513082320876798L))))
-        .one_minus_rho;
-  });
+  rows.follows(5, "theta = 1e-12 rad", "1 - rho of GMNPR", 4 * kFewUlps,
+               [](auto t) { return warp_strength(Warp::gmnpr, model_at<decltype(t)>(1e-12 * kDegrees)).one_minus_rho; });
   rows.follows(5, "theta = 1e-12 rad", "largest E on the central line, finite", kFewUlps,
                [](auto t) { return error_of(Warp::gmnpr, model_at<decltype(t)>(1e-12 * kDegrees)).E_max_line; });
   rows.at_most(10, "theta -> pi - theta", "|change of lambda| of GMNPR at 20 and 75 deg", 0, 0, [](auto t) {
@@ -107,27 +101,32 @@ void add_light_along_the_view(Rows& rows) {
       const auto lambda = [&](T depth) {
         return warp_strength(Warp::gmnpr, WarpModel<T>::from_vectors(T(1), T(100), T(0.5), {0, 0, -1}, {0, y, depth})).lambda();
       };
-      largest = std::max(largest, std::abs(lambda(z) - lambda(-z)));
+      largest = std::max(largest, abs(lambda(z) - lambda(-z)));
     }
     return largest;
   });
 }
 
 /// tan(theta0) = tan(phi) sqrt f / (sqrt f + sqrt n): below it Eq. 4 is negative.
-Extended theta0_deg() { return std::atan(10 / (11 * kSqrt3)) * 57.295779513082320876798154814105170L; }
+Exact theta0_deg() {
+  return in_digits([](auto t) {
+    using T = decltype(t);
+    return atan(T(10) / (T(11) * sqrt(T(3)))) * degrees<T>();
+  });
+}
 
 void add_where_techniques_end(Rows& rows) {
-  rows.equals(6, "theta0 = 27.6934 deg", "theta0, where Eq. 4 ends, deg", theta0_deg(), kFewUlps, [](auto t) {
+  const Exact theta0 = theta0_deg();
+  rows.equals(6, "theta0 = 27.6934 deg", "theta0, where Eq. 4 ends, deg", theta0, kFewUlps, [](auto t) {
     using T = decltype(t);
-    const T root = std::sqrt(given(T(100))), tangent = std::tan(given(T(30)) / T(kDegrees)) * root / (root + T(1));
-    return std::atan(tangent) * T(kDegrees);
+    const T root = sqrt(given(T(100))), tangent = std::tan(given(T(30)) / degrees<T>()) * root / (root + T(1));
+    return std::atan(tangent) * degrees<T>();
   });
   // 1e-9 degrees are 280,000 roundings of double and a fiftieth of one in float.
-  Rows::float_fails(rows.refuses(6, "theta0 - 1e-9 deg", "lambda of Eq. 4", "lambda_not_positive", [](auto t) {
-    return lambda_of(Warp::gmnpr_eq4, model_at<decltype(t)>(double(theta0_deg()) - 1e-9));
-  }));
+  rows.refuses(6, "theta0 - 1e-9 deg", "lambda of Eq. 4", "lambda_not_positive",
+               [theta0](auto t) { return lambda_of(Warp::gmnpr_eq4, model_at<decltype(t)>(theta0.value - 1e-9)); });
   rows.above(6, "theta0 + 1e-9 deg", "lambda of Eq. 4", 0,
-             [](auto t) { return lambda_of(Warp::gmnpr_eq4, model_at<decltype(t)>(double(theta0_deg()) + 1e-9)); });
+             [theta0](auto t) { return lambda_of(Warp::gmnpr_eq4, model_at<decltype(t)>(theta0.value + 1e-9)); });
   rows.above(7, "f = 800, theta = 20 deg", "F_max of GMNPR over that of the uniform map", 1, [](auto t) {
     using T = decltype(t);
     const auto m = model_at<T>(20, 800);
@@ -139,34 +138,38 @@ void add_extreme_ranges(Rows& rows) {
   // lambda = (sqrt(fn) + n) / (f - n) at 90 degrees; f - n is exact here, and the root's rounding is all there is. Float has no
   // 1.000001: the nearest is 4.6 % farther from 1.
   const double f = 1.000001;
-  Rows::float_fails(rows.equals(8, "f = 1.000001, theta = 90 deg", "lambda of GMNPR",
-                                (std::sqrt(Extended(f)) + 1) / (Extended(f) - 1), kFewUlps,
-                                [f](auto t) { return warp_strength(Warp::gmnpr, model_at<decltype(t)>(90, f)).lambda(); }));
-  rows.equals(8, "f = 1.000001, theta = 90 deg", "rho of GMNPR, which is what maps are made of", 1 / std::sqrt(Extended(f)),
-              kFewUlps, [f](auto t) { return warp_strength(Warp::gmnpr, model_at<decltype(t)>(90, f)).rho; });
-  rows.equals(9, "f = 1e8, theta = 90 deg", "lambda of GMNPR", 1 / Extended(9999), kFewUlps,
+  rows.equals(8, "f = 1.000001, theta = 90 deg", "lambda of GMNPR",
+              in_digits([f](auto t) { return (sqrt(decltype(t)(f)) + 1) / (decltype(t)(f) - 1); }), kFewUlps,
+              [f](auto t) { return warp_strength(Warp::gmnpr, model_at<decltype(t)>(90, f)).lambda(); });
+  rows.equals(8, "f = 1.000001, theta = 90 deg", "rho of GMNPR, which is what maps are made of",
+              in_digits([f](auto t) { return 1 / sqrt(decltype(t)(f)); }), kFewUlps,
+              [f](auto t) { return warp_strength(Warp::gmnpr, model_at<decltype(t)>(90, f)).rho; });
+  rows.equals(9, "f = 1e8, theta = 90 deg", "lambda of GMNPR", exactly(1, 9999), kFewUlps,
               [](auto t) { return warp_strength(Warp::gmnpr, model_at<decltype(t)>(90, 1e8)).lambda(); });
   // n and f are rounded once each when they are scaled.
-  for (const double scale : {1e-6, 1e6})
-    rows.at_most(12, scale < 1 ? "n, f times 1e-6" : "n, f times 1e6", "largest relative change of rho and E_max of GMNPR", 1e-14,
-                 1e-5, [scale](auto t) {
-                   using T = decltype(t);
-                   T largest(0);
-                   for (const double deg : {10.0, 30.0, 55.0, 90.0}) {
-                     const auto a = model_at<T>(deg), b = WarpModel<T>::from_degrees(T(scale), T(100 * scale), T(30), T(deg));
-                     const T p = warp_strength(Warp::gmnpr, a).rho, q = warp_strength(Warp::gmnpr, b).rho;
-                     const T E = error_at(a, p).E_max_line, G = error_at(b, q).E_max_line;
-                     largest = std::max({largest, std::abs(q / p - 1), std::abs(G / E - 1)});
-                   }
-                   return largest;
-                 });
+  for (const double scale : {1e-6, 1e6}) {
+    HardCase& row = rows.at_most(12, scale < 1 ? "n, f times 1e-6" : "n, f times 1e6",
+                                 "largest relative change of rho and E_max of GMNPR", 1e-14, 1e-5, [scale](auto t) {
+                                   using T = decltype(t);
+                                   T largest(0);
+                                   for (const double deg : {10.0, 30.0, 55.0, 90.0}) {
+                                     const auto a = model_at<T>(deg),
+                                                b = WarpModel<T>::from_degrees(T(scale), T(100 * scale), T(30), T(deg));
+                                     const T p = warp_strength(Warp::gmnpr, a).rho, q = warp_strength(Warp::gmnpr, b).rho;
+                                     const T E = error_at(a, p).E_max_line, G = error_at(b, q).E_max_line;
+                                     largest = std::max({largest, abs(q / p - 1), abs(G / E - 1)});
+                                   }
+                                   return largest;
+                                 });
+    if (scale > 1) row.exact = exactly(0);  // nothing is rounded
+  }
 }
 
 void add_shifts(Rows& rows) {
   // At 90 degrees F(n) = rho W / (n tan phi) and F(f) = W / (rho f tan phi), rho = (n + delta) / (f + delta).
   for (const int shift : {5, 20})
     rows.equals(31, shift == 5 ? "shift by 5, theta = 90 deg" : "shift by 20, theta = 90 deg", "F_max",
-                Extended(17.325L) * kSqrt3, kFewUlps, [shift](auto t) {
+                in_digits([](auto t) { return sqrt(decltype(t)(3)) * 17325 / 1000; }), kFewUlps, [shift](auto t) {
                   using T = decltype(t);
                   return error_at(model_at<T>(90), T(1 + shift) / T(100 + shift)).F_max;
                 });
@@ -177,7 +180,8 @@ void add_shifts(Rows& rows) {
                 names[shift == 0   ? 0
                       : shift == 5 ? 1
                                    : 2],
-                "storage factor, (f - n) / (n tan phi)", 99 * kSqrt3, kFewUlps, [shift](auto t) {
+                "storage factor, (f - n) / (n tan phi)", in_digits([](auto t) { return sqrt(decltype(t)(3)) * 99; }), kFewUlps,
+                [shift](auto t) {
                   using T = decltype(t);
                   return error_at(model_at<T>(90), T(1 + shift) / T(100 + shift)).storage_factor;
                 });
@@ -185,24 +189,24 @@ void add_shifts(Rows& rows) {
 }
 
 void add_degenerate_ranges(Rows& rows) {
-  rows.equals(35, "zero-depth body, n = f", "rho of LiSPSM, psmlab: nothing to warp", 1, 0, [](auto t) {
+  rows.equals(35, "zero-depth body, n = f", "rho of LiSPSM, psmlab: nothing to warp", exactly(1), 0, [](auto t) {
     using T = decltype(t);
     return warp_strength(Warp::lispsm_reference, WarpModel<T>::from_degrees(given(T(5)), given(T(5)), T(30), T(90))).rho;
   });
   Rows::naive(rows.above(35, "zero-depth body, z0 = z1 = 5", "P_n = d / (sqrt(z1/z0) - 1), as engines do", 0, [](auto t) {
     using T = decltype(t);
     const T z0 = given(T(5)), z1 = given(T(5));
-    return (z1 - z0) / (std::sqrt(z1 / z0) - T(1));
+    return (z1 - z0) / (sqrt(z1 / z0) - T(1));
   }));
-  rows.equals(37, "z0 = -1, z1 = 100", "rho of LiSPSM with z0 held at the near distance 0.1", std::sqrt(Extended(0.1) / 100),
-              1e-15, [](auto t) {
+  rows.equals(37, "z0 = -1, z1 = 100", "rho of LiSPSM with z0 held at the near distance 0.1",
+              in_digits([](auto t) { return sqrt(decltype(t)(0.1) / 100); }), 1e-15, [](auto t) {
                 using T = decltype(t);
                 const T z0 = std::max(given(T(-1)), T(0.1));
-                return std::sqrt(z0 / given(T(100)));
+                return sqrt(z0 / given(T(100)));
               });
   Rows::naive(rows.above(37, "z0 = -1, z1 = 100", "sqrt(z0 z1): NaN passes the guard `if (x >= inf)`", 0, [](auto t) {
     using T = decltype(t);
-    return std::sqrt(given(T(-1)) * T(100));
+    return sqrt(given(T(-1)) * T(100));
   }));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One shadow map in several arithmetics: double and extended all along, and the graphics processor's floats, in which only the
+// One shadow map in several arithmetics: double and exact all along, and the graphics processor's floats, in which only the
 // positions and the finished matrices are narrowed.
 #pragma once
 
@@ -10,12 +10,11 @@
 
 #include "math/shadow_map.h"
 #include "math/warp.h"
+#include "measure/wide.h"
 
 namespace psm {
 
-/// The widest arithmetic that the compiler has: 64 bits of mantissa or more stand in for exact numbers where no closed form does.
-using Extended = long double;
-static_assert(std::numeric_limits<Extended>::digits >= 64);
+using std::isnan;
 
 /// A camera with a square image, a light and receivers, in doubles that every arithmetic takes as exact.
 struct MapScene {
@@ -163,15 +162,17 @@ std::vector<Vec3<T>> map_points(const Build& build, const MapScene& s, const std
 
 constexpr double kTexelsPerUnit = 512;  // of a map of 1,024 texels: u and v run over [-1, 1]
 
-/// Largest distance in texels; NaN where a coordinate is not a number.
+/// Largest distance in texels; NaN where a coordinate is not a number. Rounded once at the end, where T or U is wide.
 template <class T, class U>
 double texel_distance(const std::vector<Vec3<T>>& a, const std::vector<Vec3<U>>& b) {
-  double largest = 0;
+  using Number = std::conditional_t<!std::is_arithmetic_v<T>, T, std::conditional_t<!std::is_arithmetic_v<U>, U, double>>;
+  Number largest(0);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = std::hypot(double(Extended(a[i].x) - Extended(b[i].x)), double(Extended(a[i].y) - Extended(b[i].y)));
-    largest = std::isnan(d) || std::isnan(largest) ? std::numeric_limits<double>::quiet_NaN() : std::max(largest, d);
+    const Number d = hypot(Number(a[i].x) - Number(b[i].x), Number(a[i].y) - Number(b[i].y));
+    if (!(d <= largest)) largest = d;
+    if (isnan(largest)) break;
   }
-  return kTexelsPerUnit * largest;
+  return double(Number(kTexelsPerUnit) * largest);
 }
 
 }  // namespace psm

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <locale>
+#include <sstream>
 
 #include "scene/experiment_members.h"
 
@@ -337,6 +339,17 @@ std::string number_text(double value) {
     if (std::strtod(text, nullptr) == value) break;
   }
   return text;
+}
+
+std::optional<double> number_from_text(const std::string& text) {
+  if (text == "inf") return HUGE_VAL;
+  if (text == "-inf") return -HUGE_VAL;
+  if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos) return std::nullopt;
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double value = 0.0;
+  if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
+  return value;
 }
 
 std::optional<InputError> check_field(const Field& field, const Experiment& experiment) {

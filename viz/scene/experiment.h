@@ -168,6 +168,9 @@ std::string value_text(const Field& field, const Experiment& experiment);
 /// Shortest text that reads back as the same double; "inf", "-inf", "nan".
 std::string number_text(double value);
 
+/// Decimal notation, whatever the locale, or "inf", "-inf"; nothing where the text is no number or beyond the doubles.
+std::optional<double> number_from_text(const std::string& text);
+
 /// Null where the member's value is within the row's range; else the line "PATH: VALUE is not allowed; allowed: ...".
 std::optional<InputError> check_field(const Field& field, const Experiment& experiment);
 

@@ -3,25 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 #include "scene/experiment_file.h"
 
 namespace psm {
 namespace {
-
-/// Decimal notation only, whatever the locale; nothing where the text is no number or beyond the doubles.
-std::optional<double> number_from_text(const std::string& text) {
-  if (text == "inf") return HUGE_VAL;
-  if (text == "-inf") return -HUGE_VAL;
-  if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos) return std::nullopt;
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  double value = 0.0;
-  if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
-  return value;
-}
 
 /// "0,1,-0.2", or the same in brackets and with blanks, as it is copied from a file.
 template <int N>
