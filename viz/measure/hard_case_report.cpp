@@ -136,7 +136,7 @@ std::vector<std::string> aligned(const std::vector<Line>& lines) {
     std::string row;
     for (int i = 0; i < kColumns; ++i) {
       const std::string pad(width[i] - line[i].size(), ' ');
-      row += " " + (to_the_left[i] ? line[i] + pad : pad + line[i]);
+      row += (i ? " " : "") + (to_the_left[i] ? line[i] + pad : pad + line[i]);
     }
     texts.push_back(row.substr(0, row.find_last_not_of(' ') + 1));
   }
