@@ -114,7 +114,7 @@ InputError too_many_rays(const ImageSettings& image) {
 /// What the eye sees is traced, once coarsely for the analysis itself and once at every pixel for the statistics.
 Analysis analyze_with_texels(const LoadedExperiment& loaded) {
   const RayTracer tracer(loaded.scene);
-  Analysis analysis = analyze(loaded.experiment, loaded.scene, visible_points(tracer, loaded.experiment));
+  Analysis analysis = analyze(loaded.experiment, loaded.scene, tracer);
   const ImageSettings& size = loaded.experiment.image;
   const VisibleImage image = see(tracer, loaded.experiment, size.width, size.height);
   const std::vector<Lit> truth = trace_light(tracer, image, loaded.experiment);
@@ -174,7 +174,7 @@ int print_analysis(const ExperimentArguments& arguments, bool texels) {
   const auto loaded = load(arguments);
   if (!loaded) return bad_input(loaded.error());
   if (texels && !rays_fit(loaded->experiment.image)) return bad_input(too_many_rays(loaded->experiment.image));
-  const Analysis analysis = texels ? analyze_with_texels(*loaded) : analyze(loaded->experiment, loaded->scene);
+  const Analysis analysis = texels ? analyze_with_texels(*loaded) : analyze(loaded->experiment, loaded->scene, RayTracer(loaded->scene));
   return finish_printing(print(analysis_to_json(analysis, loaded->scene)));
 }
 

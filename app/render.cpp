@@ -7,7 +7,7 @@
 
 #include "app/assets.h"
 #include "app/caption.h"
-#include "scene/analysis.h"
+#include "measure/visible_image.h"
 
 namespace psm {
 namespace {
@@ -64,7 +64,7 @@ Result<RenderLayout> lay_out(const RenderRequest& request) {
 }
 
 Image draw_views(const LoadedExperiment& loaded, const RenderRequest& request, const RenderLayout& layout) {
-  const Analysis analysis = analyze(loaded.experiment, loaded.scene);
+  const Analysis analysis = analyze(loaded.experiment, loaded.scene, RayTracer(loaded.scene));
   Renderer renderer(assets_folder(), font_file());
   renderer.set_scene(loaded.scene);
   renderer.draw_shadow_map(analysis);

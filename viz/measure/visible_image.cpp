@@ -25,11 +25,13 @@ VisibleImage see(const RayTracer& tracer, const Experiment& experiment, int widt
 }
 
 std::vector<SurfacePoint> visible_points(const RayTracer& tracer, const Experiment& experiment) {
-  constexpr double kPoints = 32 * 18;
-  const int columns = std::clamp(int(std::lround(std::sqrt(kPoints * experiment.image.aspect()))), 1, int(kPoints));
-  std::vector<SurfacePoint> points = see(tracer, experiment, columns, std::max(1, int(kPoints) / columns)).points;
+  std::vector<SurfacePoint> points = see(tracer, experiment, kVisibleColumns, kVisibleRows).points;
   std::erase_if(points, [](const SurfacePoint& p) { return p.normal == glm::dvec3(0.0); });
   return points;
+}
+
+Analysis analyze(const Experiment& experiment, const Scene& scene, const RayTracer& tracer) {
+  return analyze(experiment, scene, visible_points(tracer, experiment));
 }
 
 }  // namespace psm

@@ -19,8 +19,10 @@ struct VisibleImage {
 /// The experiment's camera between its near and far distance, at width x height pixels.
 VisibleImage see(const RayTracer& tracer, const Experiment& experiment, int width, int height);
 
-/// What analyze() takes: the points of a coarse image (32 x 18 or so, by the image's aspect), without the pixels that see
-/// nothing.
+/// What analyze() takes: the coarse grid of kVisibleColumns x kVisibleRows, without the cells that see nothing.
 std::vector<SurfacePoint> visible_points(const RayTracer& tracer, const Experiment& experiment);
+
+/// analyze() with what rays see: the same for the window, for pictures and for numbers.
+Analysis analyze(const Experiment& experiment, const Scene& scene, const RayTracer& tracer);
 
 }  // namespace psm

@@ -34,6 +34,9 @@ struct ModelError {
   double F_near = 0, F_far = 0, F_max = 0, E_max_line = 0, E_max_frustum = 0, storage_factor = 0;
 };
 
+/// The grid over the image in whose cells `visible` points are taken, one in the middle of each.
+inline constexpr int kVisibleColumns = 32, kVisibleRows = 18;
+
 /// A point that the eye sees, on a surface: world space, unit normal on the side that is seen.
 struct SurfacePoint {
   glm::dvec3 position{0.0}, normal{0.0};
@@ -70,7 +73,8 @@ struct Analysis {
   SceneBody scene_body_used = SceneBody::box;  // or hull: what S is
   ConvexBody receivers_body;                   // R = V ∩ S ∩ L
   ConvexBody caster_body;                      // H = hull(V + l) ∩ S ∩ L (PSM 2002, section 4.1)
-  ConvexBody depth_body;                       // H_R = hull(R + l) ∩ S ∩ L: what the map's depth range holds
+  ConvexBody fitted_body;                      // what the map's window holds: R, or the part of it that is visible
+  ConvexBody depth_body;                       // H_R = hull(fitted + l) ∩ S ∩ L: what the map's depth range holds
   std::array<glm::dvec4, 8>
       frustum_corners{};  // homogeneous, world: near then far, each (-,-) (+,-) (+,+) (-,+); far may have w = 0
 
@@ -81,8 +85,9 @@ struct Analysis {
   glm::dmat4 clip_from_world() const { return clip_from_view * view_from_world; }
 };
 
-/// Pure: same inputs, same build, same bits. Never fails on an experiment whose fields are in range. `visible`: a few hundred
-/// points that the eye sees, spread evenly over the image, from whoever has them; without them, bodies stand in for surfaces.
+/// Pure: same inputs, same build, same bits. Never fails on an experiment whose fields are in range. `visible`: what the
+/// eye sees in the middle of each cell of a kVisibleColumns x kVisibleRows grid over the image, from whoever has it (cells that
+/// see nothing are left out); without it, bodies stand in for surfaces.
 Analysis analyze(const Experiment& experiment, const Scene& scene, std::span<const SurfacePoint> visible = {});
 
 /// The contract's JSON, two-space indented; numbers round-trip, infinities are "inf" and "-inf", what does not exist is null.

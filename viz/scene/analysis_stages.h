@@ -29,6 +29,7 @@ struct Stages {
   double near = 1, far = 2;   // depth range that the technique uses
   LightFrame<double> frame = {};
   glm::dvec4 uniform{0};
+  std::vector<SurfacePoint> served = {};                    // visible points that face the light; empty where nobody gave any
   bool light_in_scene = false, light_in_receivers = false;  // a position inside S, inside R
 };
 
@@ -38,8 +39,16 @@ ViewFrame spot_frame(const LightSettings& spot);
 /// S, in the grain that the experiment asks for or the scene needs.
 void set_scene_body(const Stages& s, Analysis& a);
 
-/// The vanishing plane that the experiment's technique chooses; sets technique_used and everything the technique has to say.
-glm::dvec4 technique_plane(Stages& s, Analysis& a, std::span<const glm::dvec3> receivers);
+/// The vanishing plane that a technique chooses; sets technique_used and everything the technique has to say.
+glm::dvec4 technique_plane(Technique technique, Stages& s, Analysis& a, std::span<const glm::dvec3> receivers);
+
+/// plane_optimal (Chong and Gortler 2004): c = (G.l) K - (K.l) G for the receiver plane G and the camera plane K, so that all
+/// texels on that receiver have the same size in the image.
+glm::dvec4 plane_of_receiver(Stages& s, Analysis& a, std::span<const glm::dvec3> receivers);
+
+/// best_plane: the plane with the smallest 95th percentile of m over the points, found by search from the planes of all
+/// techniques.
+glm::dvec4 best_plane(Stages& s, Analysis& a, std::span<const glm::dvec3> receivers);
 
 /// The mappings that break the rule (psm_divided, psm_recipe), whole; nothing for every other technique.
 std::optional<glm::dmat4> rule_breaking_map(Stages& s, Analysis& a, std::span<const glm::dvec3> receivers);

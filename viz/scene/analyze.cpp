@@ -6,6 +6,7 @@
 #include "math/light_case.h"
 #include "scene/analysis_stages.h"
 #include "scene/texel_sampling.h"
+#include "scene/visible_receivers.h"
 
 namespace psm {
 namespace {
@@ -99,11 +100,7 @@ void set_depth_range(Stages& s, Analysis& a, const ConvexBody& receivers) {
       note(a, "far_from_receivers", "The far distance is infinite: the receivers' largest depth is used.", s.far);
     else
       s.far = c.far;
-  } else if (s.x.shadow.near_fit == NearFit::depth) {
-    note(a, "near_fit_bounds", "Fitting to visible points is not built yet: the receivers' bounds are used.");
   }
-  if (s.x.shadow.focus == Focus::visible)
-    note(a, "focus_bounds", "Focusing on visible points is not built yet: the receivers' bounds are used.");
   const double least = s.near * (1 + 1e-7);
   if (s.far < least) {
     note(a, "depth_range_padded", "The receivers have no depth range: it is widened.", s.far - s.near, least - s.near);
@@ -111,6 +108,26 @@ void set_depth_range(Stages& s, Analysis& a, const ConvexBody& receivers) {
   }
   a.near = s.near;
   a.far = s.far;
+}
+
+/// The part of R that is visible, where the experiment asks for it and somebody knows.
+std::optional<ConvexBody> part_in_sight(const Stages& s, Analysis& a) {
+  if (s.x.shadow.focus != Focus::visible && s.x.shadow.near_fit != NearFit::depth) return std::nullopt;
+  if (s.served.empty()) {
+    note(a, "visible_points_missing", "No visible point that faces the light is known: the receivers' bounds are used.");
+    return std::nullopt;
+  }
+  const LightFrame<double> frame = light_frame(s.light, a.receivers_body.centroid(), s.view.forward, s.view.up);
+  return visible_part(a.receivers_body, s.view, frame, s.served);
+}
+
+/// What the window and the warp are fitted to (focus), and the depth range that the technique uses (near_fit).
+void set_fitted_body(Stages& s, Analysis& a, std::span<const SurfacePoint> visible) {
+  s.served = points_to_serve(visible, s.light, a.receivers_body);
+  const std::optional<ConvexBody> part = part_in_sight(s, a);
+  a.fitted_body = part && s.x.shadow.focus == Focus::visible ? *part : a.receivers_body;
+  set_depth_range(s, a, part && s.x.shadow.near_fit == NearFit::depth ? *part : a.fitted_body);
+  s.centroid = a.fitted_body.centroid();
 }
 
 /// The uniform plane's normal: a spot's own axis, or the axis of the smallest cone around the receivers.
@@ -140,7 +157,7 @@ void fit_single_map(Stages& s, Analysis& a, const ConvexBody& receivers) {
     a.vanishing_plane = row(*a.map_from_world, 3);
     return;
   }
-  dvec4 plane = a.receivers_body.empty() ? s.uniform : technique_plane(s, a, points);
+  dvec4 plane = a.receivers_body.empty() ? s.uniform : technique_plane(s.x.shadow.technique, s, a, points);
   require_positive(plane, s, a, points);
   const auto fit = fit_map<double>(s.frame, plane, points, a.depth_body.vertices, s.light_in_scene);
   a.map_from_world = fit.map_from_world;
@@ -177,20 +194,20 @@ void set_cube(const Stages& s, Analysis& a) {
   a.cube_from_world = perspective(eye.tan_x, eye.tan_y, c.near, c.far + a.camera_shift) * eye.view_from_world();
 }
 
-void compare_with_uniform(const Stages& s, Analysis& a, std::span<const SurfacePoint> visible) {
+void compare_with_uniform(const Stages& s, Analysis& a) {
   if (!a.map_from_world || a.technique_used == Technique::uniform) return;
-  const std::vector<SurfacePoint> stand_ins = visible.empty() ? sample_receivers(s.view, a) : std::vector<SurfacePoint>();
-  const std::span<const SurfacePoint> points = visible.empty() ? stand_ins : visible;
+  const std::vector<SurfacePoint> stand_ins = s.served.empty() ? sample_receivers(s.view, a) : std::vector<SurfacePoint>();
+  const std::span<const SurfacePoint> points = s.served.empty() ? stand_ins : s.served;
   if (points.empty()) return;
-  const auto uniform = fit_map<double>(s.frame, s.uniform, a.receivers_body.vertices, a.depth_body.vertices, s.light_in_scene);
+  const auto uniform = fit_map<double>(s.frame, s.uniform, a.fitted_body.vertices, a.depth_body.vertices, s.light_in_scene);
   const double here = texel_percentile(points, *a.map_from_world, a, 0.95),
                there = texel_percentile(points, uniform.map_from_world, a, 0.95);
   if (!(here > there * (1 + 1e-9))) return;
   a.worse_than_uniform = true;
   note(a, "worse_than_uniform_texels",
        "Worse than the uniform map: 95th percentile of the texel size m in pixels, " +
-           std::string(visible.empty() ? "estimated on surfaces all through the receivers' body that face eye and light."
-                                       : "over the visible points."),
+           std::string(s.served.empty() ? "estimated on surfaces all through the receivers' body that face eye and light."
+                                        : "over the visible points."),
        here, there);
 }
 
@@ -205,24 +222,23 @@ Analysis analyze(const Experiment& experiment, const Scene& scene, std::span<con
   set_light_case(s, a);
   set_bodies(s, a);
 
-  const bool nothing_visible = a.receivers_body.empty();
-  const ConvexBody receivers = nothing_visible ? stand_in(s, a) : a.receivers_body;
-  s.centroid = receivers.centroid();
-  if (nothing_visible) {
+  if (a.receivers_body.empty()) {
     note(a, "nothing_visible", "No part of the scene is both in the light and in view: nothing can be shadowed.");
+    const ConvexBody receivers = stand_in(s, a);
+    s.centroid = receivers.centroid();
     fit_single_map(s, a, receivers);
     return a;
   }
-  set_depth_range(s, a, receivers);
+  set_fitted_body(s, a, visible);
   if (s.light_in_receivers) {
-    a.depth_body = receivers;
-    fit_six_maps(s, a, receivers);
+    a.depth_body = a.receivers_body;
+    fit_six_maps(s, a, a.receivers_body);
     return a;
   }
-  a.depth_body = clip(s.lit_scene, hull_with_light(receivers, s.light));
-  fit_single_map(s, a, receivers);
+  a.depth_body = clip(s.lit_scene, hull_with_light(a.fitted_body, s.light));
+  fit_single_map(s, a, a.fitted_body);
   set_cube(s, a);
-  compare_with_uniform(s, a, visible);
+  compare_with_uniform(s, a);
   return a;
 }
 

@@ -20,8 +20,9 @@ struct LoadedExperiment {
   std::filesystem::path base;  // relative scene paths are relative to this folder
 };
 
-/// Resolves, in this order: defaults, the scene's own camera and light, the file's members, the overrides ("light.to_light=0,1,0").
-/// `source`: an experiment file, a .gltf or .glb, a built-in scene's id, or empty (the default experiment).
+/// Resolves, in this order: defaults, the scene's own camera and light, the file's members, the overrides
+/// ("light.to_light=0,1,0"). `source`: an experiment file, a .gltf or .glb, a built-in scene's id, or empty (the default
+/// experiment).
 Result<LoadedExperiment> load_experiment(const std::string& source, const std::vector<std::string>& overrides);
 
 /// The same from JSON text; `name` stands for the file in messages, `base` is the folder of relative paths.

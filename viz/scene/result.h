@@ -22,11 +22,20 @@ class [[nodiscard]] Result {
   Result(InputError error) : state_(std::move(error)) {}
 
   explicit operator bool() const { return std::holds_alternative<T>(state_); }
-  T& operator*() { assert(*this); return std::get<T>(state_); }
-  const T& operator*() const { assert(*this); return std::get<T>(state_); }
+  T& operator*() {
+    assert(*this);
+    return std::get<T>(state_);
+  }
+  const T& operator*() const {
+    assert(*this);
+    return std::get<T>(state_);
+  }
   T* operator->() { return &**this; }
   const T* operator->() const { return &**this; }
-  const InputError& error() const { assert(!*this); return std::get<InputError>(state_); }
+  const InputError& error() const {
+    assert(!*this);
+    return std::get<InputError>(state_);
+  }
 
  private:
   std::variant<T, InputError> state_;

@@ -183,18 +183,23 @@ bool breaks_the_rule(Technique technique) {
 
 }  // namespace
 
-dvec4 technique_plane(Stages& s, Analysis& a, std::span<const dvec3> receivers) {
-  const Technique technique = s.x.shadow.technique;
+dvec4 technique_plane(Technique technique, Stages& s, Analysis& a, std::span<const dvec3> receivers) {
   a.technique_used = technique;
   set_camera_shift(s, a);
   if (const auto warp = warp_of(technique)) return plane_of_warp(*warp, s, a, receivers);
-  if (technique == Technique::psm) return plane_of_psm(s, a, receivers);
-  if (technique == Technique::custom) return plane_of_custom(s, a);
-  if (!breaks_the_rule(technique))  // one of those comes here only where nothing is visible, which has a note of its own
-    note(a, "technique_not_built",
-         std::string("Technique ") + name_of(technique) + " is not built yet: the uniform map is used.");
-  a.technique_used = Technique::uniform;
-  return s.uniform;
+  switch (technique) {
+    case Technique::psm:
+      return plane_of_psm(s, a, receivers);
+    case Technique::plane_optimal:
+      return plane_of_receiver(s, a, receivers);
+    case Technique::best_plane:
+      return best_plane(s, a, receivers);
+    case Technique::custom:
+      return plane_of_custom(s, a);
+    default:  // one that breaks the rule comes here only where nothing is visible, which has a note of its own
+      a.technique_used = Technique::uniform;
+      return s.uniform;
+  }
 }
 
 std::optional<dmat4> rule_breaking_map(Stages& s, Analysis& a, std::span<const dvec3> receivers) {

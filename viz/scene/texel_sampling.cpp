@@ -8,17 +8,30 @@
 namespace psm {
 namespace {
 
-/// The part of the ray inside the body, as distances; false where it misses the body.
-bool ray_inside(const ConvexBody& body, const glm::dvec3& origin, const glm::dvec3& direction, double& enter, double& leave) {
-  enter = 0;
-  leave = std::numeric_limits<double>::infinity();
+/// The part of a ray inside a body, as distances, and the plane through which it leaves.
+struct Passage {
+  double enter = 0, leave = std::numeric_limits<double>::infinity();
+  const Plane* exit = nullptr;
+  explicit operator bool() const { return exit && enter <= leave; }
+};
+
+Passage pass_through(const ConvexBody& body, const glm::dvec3& origin, const glm::dvec3& along) {
+  Passage out;
   for (const Plane& p : body.planes) {
-    const double at = glm::dot(p, glm::dvec4(origin, 1)), slope = glm::dot(glm::dvec3(p), direction);
-    if (slope > 0) enter = std::max(enter, -at / slope);
-    if (slope < 0) leave = std::min(leave, -at / slope);
-    if (slope == 0 && at < 0) return false;
+    const double at = glm::dot(p, glm::dvec4(origin, 1)), slope = glm::dot(glm::dvec3(p), along);
+    if (slope > 0) out.enter = std::max(out.enter, -at / slope);
+    if (slope == 0 && at < 0) return {};
+    if (slope < 0 && -at / slope < out.leave) {
+      out.leave = -at / slope;
+      out.exit = &p;
+    }
   }
-  return enter <= leave && std::isfinite(leave);
+  return out;
+}
+
+bool bounds_scene(const Plane& p) {
+  const bool side_of_box = p.id >= PlaneId::min_x && p.id <= PlaneId::max_z;
+  return side_of_box || p.id == PlaneId::given;
 }
 
 /// The one of six maps that looks the point's way: it has the largest w there.
@@ -48,20 +61,26 @@ TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint
 }
 
 std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis& analysis) {
-  constexpr int columns = 16, rows = 9;
+  constexpr int columns = 8, rows = 5;
   std::vector<SurfacePoint> points;
   for (int i = 0; i < columns * rows; ++i) {
     const double x = (2.0 * (i % columns) + 1) / columns - 1, y = (2.0 * (i / columns) + 1) / rows - 1;
     const glm::dvec3 direction = view.at(x, y, 1) - view.eye;
-    double enter = 0, leave = 0;
-    if (!ray_inside(analysis.receivers_body, view.eye, direction, enter, leave)) continue;
-    for (const double t : {enter, (enter + leave) / 2, leave}) {
+    const Passage inside = pass_through(analysis.receivers_body, view.eye, direction);
+    if (!inside) continue;
+    for (const double t : {inside.enter, (inside.enter + inside.leave) / 2, inside.leave}) {
       const glm::dvec3 p = view.eye + t * direction;
       const glm::dvec3 to_light = safe_normalize(glm::dvec3(analysis.light) - analysis.light.w * p);
       points.push_back({p, safe_normalize(to_light - safe_normalize(direction))});
     }
   }
   return points;
+}
+
+std::optional<SurfacePoint> far_side(const ConvexBody& body, const glm::dvec3& origin, const glm::dvec3& along) {
+  const Passage inside = pass_through(body, origin, along);
+  if (!inside || !bounds_scene(*inside.exit)) return std::nullopt;
+  return SurfacePoint{origin + inside.leave * along, safe_normalize(glm::dvec3(*inside.exit))};
 }
 
 double texel_percentile(std::span<const SurfacePoint> points, const glm::dmat4& map_from_world, const Analysis& analysis,

@@ -11,7 +11,7 @@
 
 namespace psm {
 
-/// Along each of 16 x 9 view rays three points of R: where it enters, the middle, where it leaves. Normals halve the angle
+/// Along each of 8 x 5 view rays three points of R: where it enters, the middle, where it leaves. Normals halve the angle
 /// between the directions to the eye and to the light.
 std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis& analysis);
 
@@ -19,6 +19,10 @@ std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis
 /// single map, or of that one of the six that the point lies in.
 TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint& point);
 TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint& point, glm::ivec2 pixels);
+
+/// Where the ray (from outside or inside, `along` of any length) leaves the body, with the normal of the face there, inwards;
+/// nothing where it misses the body or leaves it through a face of V rather than of S.
+std::optional<SurfacePoint> far_side(const ConvexBody& body, const glm::dvec3& origin, const glm::dvec3& along);
 
 /// Percentile (0 to 1) of the texel size m in pixels over the points; infinite where the receiver holds the light ray.
 double texel_percentile(std::span<const SurfacePoint> points, const glm::dmat4& map_from_world, const Analysis& analysis,

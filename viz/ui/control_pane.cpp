@@ -14,9 +14,10 @@ namespace psm {
 namespace {
 
 // Short names at the left, long ones at the right.
-constexpr std::array offered = {Technique::uniform,     Technique::psm,        Technique::lispsm,  Technique::lispsm_reference,
-                                Technique::glpr,        Technique::gmnpr,      Technique::minimax, Technique::minimax_frustum,
-                                Technique::psm_divided, Technique::psm_recipe, Technique::custom,  Technique::psm_two_maps};
+constexpr std::array offered = {Technique::uniform, Technique::plane_optimal,    Technique::psm,     Technique::best_plane,
+                                Technique::lispsm,  Technique::lispsm_reference, Technique::glpr,    Technique::psm_recipe,
+                                Technique::gmnpr,   Technique::psm_divided,      Technique::minimax, Technique::minimax_frustum,
+                                Technique::custom,  Technique::psm_two_maps};
 constexpr int technique_rows = int(offered.size() + 1) / 2;
 
 const char* explanation(Technique technique) {
@@ -37,6 +38,10 @@ const char* explanation(Technique technique) {
       return "minimax: the least maximum of F on the frustum's central line.";
     case Technique::minimax_frustum:
       return "minimax_frustum: the least maximum of E over the whole frustum.";
+    case Technique::plane_optimal:
+      return "plane_optimal: every texel on one receiver plane has the same size in the image (Chong & Gortler 2004).";
+    case Technique::best_plane:
+      return "best_plane: found by search; the smallest 95th percentile of m that any single vanishing plane gives here.";
     case Technique::psm_divided:
       return "psm_divided: PSM with the light divided by its w and the depth test reversed where w < 0, after the camera shift "
              "(2002 paper).";

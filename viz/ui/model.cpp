@@ -21,7 +21,7 @@ bool same_but_views(Experiment a, const Experiment& b) {
 
 }  // namespace
 
-Model::Model(LoadedExperiment loaded) : loaded_(std::move(loaded)) {
+Model::Model(LoadedExperiment loaded) : loaded_(std::move(loaded)), tracer_(loaded_.scene) {
   adopt_scene_source();
   original_ = saved_ = loaded_.experiment;
   originals_[loaded_.experiment.scene.source] = original_;
@@ -40,7 +40,7 @@ void Model::adopt_scene_source() {
 
 void Model::analyze_now() {
   const auto start = std::chrono::steady_clock::now();
-  analysis_ = analyze(loaded_.experiment, loaded_.scene);
+  analysis_ = analyze(loaded_.experiment, loaded_.scene, tracer_);
   analysis_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   ++analysis_revision_;
 }
@@ -49,6 +49,7 @@ std::optional<InputError> Model::load_scene_of(const Experiment& experiment) {
   Result<Scene> scene = load_scene(experiment.scene.source, loaded_.base);
   if (!scene) return scene.error();
   loaded_.scene = std::move(*scene);
+  tracer_ = RayTracer(loaded_.scene);
   ++scene_revision_;
   const auto known = originals_.find(experiment.scene.source);
   original_ = known != originals_.end() ? known->second : experiment;
@@ -100,6 +101,7 @@ std::optional<InputError> Model::open(const std::string& source) {
   end_gesture();
   const Experiment before = loaded_.experiment;
   loaded_ = std::move(*loaded);
+  tracer_ = RayTracer(loaded_.scene);
   adopt_scene_source();
   original_ = saved_ = loaded_.experiment;
   originals_[original_.scene.source] = original_;

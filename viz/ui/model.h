@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/analysis.h"
+#include "measure/visible_image.h"
 #include "scene/experiment_file.h"
 #include "ui/history.h"
 
@@ -20,6 +20,7 @@ class Model {
 
   const Experiment& experiment() const { return loaded_.experiment; }
   const Scene& scene() const { return loaded_.scene; }
+  const RayTracer& tracer() const { return tracer_; }
   const Analysis& analysis() const { return analysis_; }
   const Experiment& original() const { return original_; }  // as opened: what resets go back to
 
@@ -51,6 +52,7 @@ class Model {
   void adopt_scene_source();
 
   LoadedExperiment loaded_;
+  RayTracer tracer_;  // of loaded_.scene
   Experiment original_, saved_;
   std::map<std::string, Experiment> originals_;  // by scene source, for undo across scenes
   Analysis analysis_;
