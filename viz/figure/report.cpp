@@ -53,15 +53,22 @@ void write_scene(Writer& w, const std::string& scene, const std::vector<StudyRow
   w.page.table(best_plane_table(rows));
 }
 
-void write_slab(Writer& w, const std::vector<StudyRow>& slab, const CitedTable& cited) {
+bool is_slab(const std::string& scene) { return scene == kSlab || scene == kSlabVisible || scene == kSlabFar; }
+
+void write_slab(Writer& w, const std::vector<StudyRow>& rows, const CitedTable& cited) {
+  const auto of = [&](const char* scene) { return rows_where(rows, [&](const StudyRow& r) { return r.scene == scene; }); };
+  const std::vector<StudyRow> slab = of(kSlab), visible = of(kSlabVisible), far = of(kSlabFar);
   w.page.heading("One scene, all angles: what users could pick instead");
   w.plot("one_scene", texel_size_plot(slab),
          "The eye 1.7 above a slab of 200 x 10 x 200 with its top at y = 0, 60 degrees high, n = 1, f = 100. The limit is "
          "the image's width over the map's: with rows of the map along the horizon no single map of this size goes below it. "
          "Gaps: the technique was replaced there.");
   w.page.table(cited_table(cited));
-  w.page.table(slab_table(slab, false));
-  w.page.table(slab_table(slab, true));
+  for (const bool behind : {false, true}) {
+    w.page.table(slab_table(slab, "window around the receivers' body (focus: bounds)", behind));
+    w.page.table(slab_table(visible, "window around what is visible (focus: visible)", behind));
+  }
+  w.page.table(far_table(far));
 }
 
 void write_closed_forms(Writer& w, const ReportInput& in) {
@@ -141,8 +148,8 @@ std::vector<ReportFile> make_report(const ReportInput& input) {
   Writer w;
   write_introduction(w, input);
   for (const std::string& scene : names_in(input.rows, &StudyRow::scene))
-    if (scene != kSlab) write_scene(w, scene, rows_where(input.rows, [&](const StudyRow& r) { return r.scene == scene; }));
-  write_slab(w, rows_where(input.rows, [](const StudyRow& r) { return r.scene == kSlab; }), input.cited);
+    if (!is_slab(scene)) write_scene(w, scene, rows_where(input.rows, [&](const StudyRow& r) { return r.scene == scene; }));
+  write_slab(w, rows_where(input.rows, [](const StudyRow& r) { return is_slab(r.scene); }), input.cited);
   write_closed_forms(w, input);
   write_hard_cases(w, input);
   w.files.push_back({"rows.csv", rows_csv(input.rows)});

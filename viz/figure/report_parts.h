@@ -23,7 +23,6 @@ const StudyRow* find_row(const std::vector<StudyRow>& rows, const std::string& t
 
 /// What was asked for is what was used: the technique was not replaced by another.
 bool as_asked(const StudyRow& row);
-bool built(const StudyRow& row);
 
 /// `digits` significant ones; a dash for what does not exist.
 std::string shown(double value, int digits = 3);
@@ -57,7 +56,9 @@ HtmlTable equal_error_table(const std::vector<StudyRow>& rows);
 HtmlTable best_plane_table(const std::vector<StudyRow>& rows);
 HtmlTable closed_form_table(const std::vector<ClosedFormRow>& rows, const ClosedFormSetting& setting);
 HtmlTable cited_table(const CitedTable& cited);
-HtmlTable slab_table(const std::vector<StudyRow>& slab, bool behind);
+/// `what` goes before the numbers' description: which slab this is.
+HtmlTable slab_table(const std::vector<StudyRow>& slab, const std::string& what, bool behind);
+HtmlTable far_table(const std::vector<StudyRow>& rows);
 HtmlTable hard_case_table(const std::vector<MeasuredCase>& cases);
 HtmlTable machine_table(const std::vector<StudyRow>& rows);
 

@@ -73,7 +73,6 @@ const StudyRow* find_row(const std::vector<StudyRow>& rows, const std::string& t
 }
 
 bool as_asked(const StudyRow& row) { return row.technique == row.technique_used; }
-bool built(const StudyRow& row) { return row.notes.find("technique_not_built") == std::string::npos; }
 
 std::string shown(double value, int digits) {
   if (std::isnan(value)) return "\u2013";

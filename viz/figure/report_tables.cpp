@@ -147,8 +147,7 @@ HtmlTable best_plane_table(const std::vector<StudyRow>& rows) {
   fill_over_angles(table, rows, resolution, angles, [&](const StudyRow* row) -> std::string {
     const StudyRow* b = row ? best(row->theta_deg) : nullptr;
     if (!row || !b) return "\u2013";
-    if (row->technique == "best_plane") return built(*b) ? shown(b, b->m_p95) + " px" : "not built";
-    return built(*b) ? shown(row, row->m_p95 / b->m_p95) : "\u2013";
+    return row->technique == "best_plane" ? shown(b, b->m_p95) + " px" : shown(row, row->m_p95 / b->m_p95);
   });
   return table;
 }
@@ -191,15 +190,15 @@ HtmlTable cited_table(const CitedTable& cited) {
   return table;
 }
 
-HtmlTable slab_table(const std::vector<StudyRow>& slab, bool behind) {
+HtmlTable slab_table(const std::vector<StudyRow>& slab, const std::string& what, bool behind) {
   const double resolution = reference_resolution(slab);
   std::vector<double> angles;
   for (const double theta : values_in(slab, &StudyRow::theta_deg))
     if ((theta > 90) == behind) angles.push_back(theta);
   HtmlTable table;
-  table.caption = std::string("psmlab's own, measured: 95th percentile of m in pixels on the same slab, sun ") +
-                  (behind ? "behind" : "ahead of") + " the viewer, map " + texels(resolution) + "; " + conditions(slab) +
-                  (slab.empty() ? "" : "; limit " + shown(slab[0].width / resolution)) +
+  table.caption = "psmlab's own, measured, " + what + ": 95th percentile of m in pixels on the same slab, sun " +
+                  std::string(behind ? "behind" : "ahead of") + " the viewer, map " + texels(resolution) + "; " +
+                  conditions(slab) + (slab.empty() ? "" : "; limit " + shown(slab[0].width / resolution)) +
                   "; time: median of the analysis over these angles." + kStar;
   table.head = angle_head("technique", angles);
   table.head.insert(table.head.begin() + 1, "time (\u00b5s)");
@@ -209,6 +208,29 @@ HtmlTable slab_table(const std::vector<StudyRow>& slab, bool behind) {
     for (const double theta : angles)
       if (const StudyRow* row = find_row(slab, line[0], resolution, theta)) times.push_back(row->analysis_us);
     line.insert(line.begin() + 1, times.empty() ? "\u2013" : shown(median(times)));
+  }
+  return table;
+}
+
+HtmlTable far_table(const std::vector<StudyRow>& rows) {
+  const std::vector<double> far = values_in(rows, &StudyRow::far);
+  HtmlTable table;
+  table.caption = "The same slab with the camera's far plane nearer: 95th percentile of m in pixels, sun ahead at " +
+                  angle(reference_theta(rows)) + "; columns: depth of the farthest receiver over that of the nearest; " +
+                  conditions(rows) + "." + kStar;
+  table.head = {"technique"};
+  for (const double f : far) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const StudyRow& r) { return r.far == f; });
+    table.head.push_back(shown(row->far / row->near));
+  }
+  for (const std::string& technique : names_in(rows, &StudyRow::technique)) {
+    std::vector<std::string> line{technique};
+    for (const double f : far) {
+      const auto row =
+          std::find_if(rows.begin(), rows.end(), [&](const StudyRow& r) { return r.far == f && r.technique == technique; });
+      line.push_back(row == rows.end() ? "\u2013" : shown(&*row, row->m_p95));
+    }
+    table.rows.push_back(std::move(line));
   }
   return table;
 }

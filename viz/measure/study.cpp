@@ -104,6 +104,30 @@ std::vector<Technique> techniques_to_compare() {
   return techniques;
 }
 
+namespace {
+
+/// The one-scene table with the window around the receivers' body, with it around what is visible, and at one angle over n/f.
+void add_slabs(Study& study, const ImageSettings& image, const std::vector<Technique>& techniques, bool quick) {
+  const std::vector<std::optional<double>> table =
+      ahead_and_behind(quick ? std::vector<double>{90, 20} : std::vector<double>{90, 75, 60, 45, 35, 30, 20, 10, 5, 1});
+  const std::vector<Technique> few{Technique::uniform, Technique::psm,           Technique::lispsm_reference,
+                                   Technique::gmnpr,   Technique::plane_optimal, Technique::best_plane};
+  const auto add = [&](const char* name, Focus focus, const Sweep& sweep) {
+    study.scenes.push_back(slab_scene());
+    study.scenes.back().name = name;
+    study.scenes.back().base.experiment.image = image;
+    study.scenes.back().base.experiment.shadow.focus = focus;
+    add_runs(study, study.scenes.size() - 1, sweep);
+  };
+  add(kSlab, Focus::bounds, {table, {std::nullopt}, techniques, {1024}, {}});
+  add(kSlabVisible, Focus::visible, {table, {std::nullopt}, quick ? techniques : few, {1024}, {}});
+  const std::vector<std::optional<double>> far =
+      quick ? std::vector<std::optional<double>>{10, 100} : std::vector<std::optional<double>>{5, 10, 20, 50, 100};
+  add(kSlabFar, Focus::bounds, {{60}, far, quick ? techniques : few, {1024}, {}});
+}
+
+}  // namespace
+
 Study default_study(bool quick) {
   Study study;
   const ImageSettings image = quick ? ImageSettings{160, 90} : ImageSettings{640, 360};
@@ -125,11 +149,7 @@ Study default_study(bool quick) {
     sweep.theta_deg = daytime(study.scenes.back().base.experiment, theta);
     add_runs(study, study.scenes.size() - 1, sweep);
   }
-  study.scenes.push_back(slab_scene());
-  study.scenes.back().base.experiment.image = image;
-  const std::vector<double> table =
-      quick ? std::vector<double>{90, 20} : std::vector<double>{90, 75, 60, 45, 35, 30, 20, 10, 5, 1};
-  add_runs(study, study.scenes.size() - 1, {ahead_and_behind(table), {std::nullopt}, techniques, {1024}, {}});
+  add_slabs(study, image, techniques, quick);
   return study;
 }
 

@@ -41,6 +41,8 @@ Study default_study(bool quick);
 /// The scene of the table "what users could pick instead": a slab whose top is the ground, a directional light straight above.
 StudyScene slab_scene();
 inline constexpr const char* kSlab = "slab";
+inline constexpr const char* kSlabVisible = "slab_visible";  // the same, fitted to what is visible of it
+inline constexpr const char* kSlabFar = "slab_far";          // the same at one angle, for several far distances
 
 /// One run for each combination, scenes and angles outermost, so that what they share is computed once.
 struct Sweep {
