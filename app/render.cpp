@@ -7,7 +7,9 @@
 
 #include "app/assets.h"
 #include "app/caption.h"
-#include "measure/visible_image.h"
+#include "draw/probe.h"
+#include "gl/error_view.h"
+#include "measure/pick.h"
 
 namespace psm {
 namespace {
@@ -34,6 +36,11 @@ void paste(const Image& part, const glm::ivec2& origin, Image& whole) {
   for (int y = 0; y < part.height; ++y)
     std::memcpy(&whole.rgba[(std::size_t(origin.y + y) * whole.width + origin.x) * 4],
                 &part.rgba[std::size_t(y) * part.width * 4], std::size_t(part.width) * 4);
+}
+
+std::optional<Probe> probe_at(const RayTracer& tracer, const Analysis& analysis, const glm::dvec2& pixel) {
+  const auto pick = pick_pixel(tracer, analysis, pixel);
+  return pick ? make_probe(analysis, pick->receiver, pick->occluder, pick->seen) : std::nullopt;
 }
 
 /// The last line of a picture of several views: what kind of light it is, and the technique.
@@ -64,20 +71,26 @@ Result<RenderLayout> lay_out(const RenderRequest& request) {
 }
 
 Image draw_views(const LoadedExperiment& loaded, const RenderRequest& request, const RenderLayout& layout) {
-  const Analysis analysis = analyze(loaded.experiment, loaded.scene, RayTracer(loaded.scene));
+  const RayTracer tracer(loaded.scene);
+  const Analysis analysis = analyze_with_statistics(loaded.experiment, loaded.scene, tracer);
+  const ViewSettings& view = loaded.experiment.view;
+  const std::optional<Probe> probe = view.probe ? probe_at(tracer, analysis, *view.probe) : std::nullopt;
   Renderer renderer(assets_folder(), font_file());
   renderer.set_scene(loaded.scene);
   renderer.draw_shadow_map(analysis);
-  const auto view_image = [&](const ViewPicture& picture) {
+  const auto view_image = [&](ViewId id) {
+    ViewPicture picture = describe_view(id, analysis, loaded.scene, layout.tile);
+    if (id == ViewId::eye && view.eye_overlay == EyeOverlay::errors)
+      show_errors(picture, compare_with_truth(renderer, tracer, analysis, kAllPixels));
+    if (probe) append(picture.list, probe_list(*probe, id, analysis, layout.tile));
     renderer.draw_view(picture, analysis, layout.tile, request.scale, request.theme);
     return renderer.read_view(picture.id);
   };
-  if (request.views.size() == 1) return view_image(describe_view(request.views[0], analysis, loaded.scene, layout.tile));
+  if (request.views.size() == 1) return view_image(request.views[0]);
 
   const Colors colors = colors_of(request.theme);
   Image whole = filled(request.size, colors.ground);
-  for (std::size_t i = 0; i < request.views.size(); ++i)
-    paste(view_image(describe_view(request.views[i], analysis, loaded.scene, layout.tile)), layout.origins[i], whole);
+  for (std::size_t i = 0; i < request.views.size(); ++i) paste(view_image(request.views[i]), layout.origins[i], whole);
   const Caption caption(font_file(), 18 * request.scale);
   const int inset = int(std::lround(5 * request.scale));
   caption.draw(whole, inset, request.size.y - layout.status_height + inset, status_text(analysis), colors.text);

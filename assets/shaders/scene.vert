@@ -11,6 +11,8 @@ out vec3 v_normal;
 out vec2 v_texcoord;
 out vec4 v_color;
 
+invariant gl_Position;  // the same in all programs: what is drawn over a surface meets its depth
+
 void main() {
   gl_Position = u_sign * (u_clip_from_local * vec4(a_position, 1.0));
   gl_PointSize = u_point_size;

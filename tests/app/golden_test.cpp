@@ -25,6 +25,9 @@ struct Golden {
 const std::pair<const char*, std::vector<std::string>> kExperiments[] = {
     {"chessboard_spot", {"chessboard"}},
     {"ground_gmnpr", {"ground", "--set", "shadow.technique=gmnpr"}},
+    {"texel_size", {"chessboard", "--set", "view.eye_overlay=texel_size", "--set", "shadow.resolution=2048"}},
+    {"texel_grid", {"ground", "--set", "view.texel_grid=on"}},
+    {"probe", {"chessboard", "--set", "view.probe=760,610"}},
     {"point_behind_psm",
      {"chessboard", "--set", "light.type=point", "--set", "light.position=4,12,26", "--set", "shadow.technique=psm"}},
     {"figure7_two_maps", {PSMLAB_TEST_DATA "/../assets/experiments/psm2002_figure7_two_maps.psm.json"}},
@@ -38,6 +41,8 @@ const Golden kGoldens[] = {
     {"point_behind_psm", ViewId::world, 16, 0.003}, {"point_behind_psm", ViewId::cube, 16, 0.003},
     {"point_behind_psm", ViewId::map, 8, 0.003},    {"point_behind_psm", ViewId::eye, 16, 0.003},
     {"figure7_two_maps", ViewId::map, 8, 0.003},    {"figure7_two_maps", ViewId::eye, 16, 0.003},
+    {"texel_size", ViewId::eye, 16, 0.003},         {"texel_grid", ViewId::eye, 16, 0.003},
+    {"probe", ViewId::world, 16, 0.003},
 };
 
 std::vector<std::string> arguments_of(const Golden& golden, const std::string& out) {

@@ -42,6 +42,11 @@ class RandomExperiment {
     void operator()(const ShiftRef& ref) const {
       ref(experiment) = source.below(2) == 0 ? CameraShift(ShiftRule(source.below(3))) : source.number(field);
     }
+    void operator()(const AutoPixelRef& ref) const {
+      glm::dvec2 pixel;
+      source.vector<2>(field, pixel);
+      ref(experiment) = source.below(2) == 0 ? std::nullopt : std::optional<glm::dvec2>(pixel);
+    }
     void operator()(const AutoPlaneRef& ref) const {
       glm::dvec4 plane;
       source.vector<4>(field, plane);

@@ -46,6 +46,10 @@ struct Edit {
     bench.click(bench.at(field.path + "=number", 0.1));
     edit_number(bench, field.path, field.path);
   }
+  void operator()(const AutoPixelRef&) const {
+    bench.click(bench.at(field.path + ".absent", 0.1));
+    components(".x", ".y");
+  }
   void operator()(const AutoPlaneRef&) const {
     bench.click(bench.at(field.path + ".absent", 0.1));
     components(".x", ".w");

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "draw/sketch.h"
+#include "draw/texel_overlay.h"
 
 namespace psm {
 namespace {
@@ -50,6 +51,7 @@ std::string map_remark(const Analysis& analysis) {
 
 ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene&, glm::ivec2 size) {
   ViewPicture picture = describe(id, analysis, size);
+  add_texel_overlay(picture, analysis, size);
   drop_overflow(picture.list);
   return picture;
 }

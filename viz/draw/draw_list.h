@@ -64,6 +64,9 @@ struct DrawList {
   std::vector<DrawLabel> labels;
 };
 
+/// Another drawing of the same space over this one.
+void append(DrawList& list, DrawList other);
+
 /// sRGB, 0 to 1. `role_color` is for fills and points; lines and text need more contrast on white: darker variants of the same
 /// hue, at least 3:1 for lines and 4.5:1 for text (the palette's orange, sky blue and yellow have 2.3, 2.3 and 1.3).
 glm::vec3 role_color(Role role);

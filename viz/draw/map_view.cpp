@@ -138,11 +138,11 @@ DrawList two_maps(const Analysis& analysis) {
   const Box everywhere{glm::dvec3(-1.0), glm::dvec3(1.0)};
   Sketch sketch({everywhere, everywhere});
   for (int i = 0; i < 2; ++i) {
-    const glm::dmat4 sheet_from_map = glm::scale(glm::translate(glm::dmat4(1.0), {i - 0.5, 0.0, 0.0}), glm::dvec3(0.5, 0.5, 1.0));
+    const glm::dmat4 sheet = sheet_from_map(analysis, i);
     DrawList map = MapView(analysis, glm::dmat4(1.0), 1.0 + 1e-9).draw();
-    for (DrawLine& line : map.lines) line.a = sheet_from_map * line.a, line.b = sheet_from_map * line.b;
-    for (DrawPoint& point : map.points) point.position = sheet_from_map * point.position;
-    for (DrawLabel& label : map.labels) label.anchor = sheet_from_map * label.anchor;
+    for (DrawLine& line : map.lines) line.a = sheet * line.a, line.b = sheet * line.b;
+    for (DrawPoint& point : map.points) point.position = sheet * point.position;
+    for (DrawLabel& label : map.labels) label.anchor = sheet * label.anchor;
     if (i > 0) map.labels.clear();
     sketch.append(std::move(map));
     sketch.label({i - 0.5, 0.44, 0.0}, captions[i], Role::infinity, 12);
@@ -167,6 +167,16 @@ DrawList six_maps() {
 }
 
 }  // namespace
+
+glm::dmat4 sheet_from_map(const Analysis& analysis, int layer) {
+  const auto tile = [](double x, double y, double scale) {
+    return glm::scale(glm::translate(glm::dmat4(1.0), {x, y, 0.0}), glm::dvec3(scale, scale, 1.0));
+  };
+  if (analysis.map_from_world && analysis.map_beyond_from_world) return tile(layer - 0.5, 0.0, 0.5);
+  if (analysis.map_from_world || !analysis.cube_maps_from_world) return glm::dmat4(1.0);
+  constexpr double half = 1.0 / 3.0;
+  return tile((2 * (layer % 3) + 1) * half - 1.0, layer < 3 ? half : -half, half);
+}
 
 ViewPicture describe_map(const Analysis& analysis, glm::ivec2 size) {
   constexpr double reach = 100.0;  // how far outlines go on outside

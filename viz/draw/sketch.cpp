@@ -74,7 +74,7 @@ void Sketch::label(const glm::dvec3& anchor, std::string text, Role role, int pr
   list.labels.push_back({at(anchor), std::move(text), role, priority});
 }
 
-void Sketch::append(DrawList other) {
+void append(DrawList& list, DrawList other) {
   std::move(other.lines.begin(), other.lines.end(), std::back_inserter(list.lines));
   std::move(other.fills.begin(), other.fills.end(), std::back_inserter(list.fills));
   std::move(other.points.begin(), other.points.end(), std::back_inserter(list.points));

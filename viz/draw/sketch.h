@@ -64,7 +64,7 @@ class Sketch {
   void label(const glm::dvec3& anchor, std::string text, Role role, int priority);
 
   /// Another drawing of the same space, within limits of its own.
-  void append(DrawList other);
+  void append(DrawList other) { psm::append(list, std::move(other)); }
 
  private:
   void faded_line(const glm::dvec3& a, const glm::dvec3& b, const Pen& pen, Head head);
@@ -90,6 +90,9 @@ ViewPicture describe_eye(const Analysis& analysis, glm::ivec2 size);
 
 /// For a view's title: why it is not the map that was asked for, such as ", uniform, not glpr"; "" where it is.
 std::string map_remark(const Analysis& analysis);
+
+/// Where a layer's map, [-1, 1]^2, stands on the map view's sheet: alone, beside a second one, or among six.
+glm::dmat4 sheet_from_map(const Analysis& analysis, int layer);
 
 /// Width over height, 1 for a picture without area.
 double aspect_of(glm::ivec2 size);

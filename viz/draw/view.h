@@ -7,6 +7,8 @@
 #include <string>
 
 #include "draw/draw_list.h"
+#include "draw/image.h"
+#include "draw/legend.h"
 #include "scene/analysis.h"
 
 namespace psm {
@@ -17,6 +19,9 @@ enum class ScenePicture {
                // appear
   map_depth    // the shadow map's depth, as an image in the square [-1, 1]^2 of map clip space
 };
+
+/// Of the texel grid's lines, every how many are drawn stronger.
+constexpr int kStrongLines = 8;
 
 /// One view, ready to draw. The world list has one DrawPoint of role light (the light's handle; a sun stands at the picture's
 /// edge) and one of role frustum (the eye). Corner [-1, 1]^2 of clip space is the whole picture.
@@ -31,6 +36,10 @@ struct ViewPicture {
   DrawList list;
   /// The part of the picture that the eye's image occupies (the eye view letterboxes), in clip space: min x, min y, max x, max y.
   glm::dvec4 image_rect{-1.0, -1.0, 1.0, 1.0};
+  EyeOverlay overlay = EyeOverlay::none;  // a heat map (texel_size, anisotropy) instead of the lit scene
+  int texel_step = 0;                     // the texel grid over the scene: a line every so many texels; 0: none
+  std::optional<Image> cover;             // over the scene, spread over image_rect
+  Legend legend;
 };
 
 /// Pure. `size` in pixels: its aspect decides the letterbox and the fit.

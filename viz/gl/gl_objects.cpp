@@ -68,6 +68,10 @@ void Program::set(const char* name, std::span<const glm::mat4> matrices) {
   if (!matrices.empty()) glUniformMatrix4fv(location(name), GLsizei(matrices.size()), GL_FALSE, &matrices[0][0][0]);
 }
 
+void Program::set(const char* name, std::span<const glm::vec3> vectors) {
+  if (!vectors.empty()) glUniform3fv(location(name), GLsizei(vectors.size()), &vectors[0][0]);
+}
+
 GLint Program::location(const char* name) {
   const auto [entry, is_new] = locations_.try_emplace(name, -1);
   if (is_new) entry->second = glGetUniformLocation(name_, name);

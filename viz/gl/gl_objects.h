@@ -89,6 +89,7 @@ class Program {
   void set(const char* name, const glm::vec4& v) { glUniform4f(location(name), v.x, v.y, v.z, v.w); }
   void set(const char* name, const glm::mat4& m) { set(name, std::span<const glm::mat4>(&m, 1)); }
   void set(const char* name, std::span<const glm::mat4> matrices);
+  void set(const char* name, std::span<const glm::vec3> vectors);
 
  private:
   GLint location(const char* name);

@@ -23,8 +23,8 @@ ListPass::ListPass(const std::filesystem::path& shaders, const std::filesystem::
 
 void ListPass::draw(const ViewPicture& picture, const PictureFrame& frame) {
   std::vector<ShapeVertex> plates;
-  std::vector<LineVertex> leaders;
-  const std::vector<TextBox> boxes = text_.layout(picture, frame, plates, leaders);
+  std::vector<LineVertex> leaders, marks;
+  const std::vector<TextBox> boxes = text_.layout(picture, frame, plates, leaders, marks);
 
   glDepthMask(GL_FALSE);
   enable_blending();
@@ -39,6 +39,7 @@ void ListPass::draw(const ViewPicture& picture, const PictureFrame& frame) {
   draw_list_points(picture, frame, Seen::in_front);
   glDisable(GL_DEPTH_TEST);
   draw_shapes(plates);
+  draw_lines(marks);
   text_.draw(boxes, frame);
   glDepthMask(GL_TRUE);
 }

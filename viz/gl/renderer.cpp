@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "gl/cover_pass.h"
 #include "gl/gl_state.h"
 #include "gl/list_pass.h"
 #include "gl/scene_pass.h"
@@ -17,7 +18,7 @@ namespace psm {
 
 struct Renderer::State {
   State(const std::filesystem::path& shaders, const std::filesystem::path& font)
-      : shadow_pass(shaders), scene_pass(shaders), map_pass(shaders), list_pass(shaders, font) {}
+      : shadow_pass(shaders), scene_pass(shaders), map_pass(shaders), cover_pass(shaders), list_pass(shaders, font) {}
 
   gl::ViewTarget& target(ViewId id) { return targets[std::size_t(id)]; }
 
@@ -25,6 +26,7 @@ struct Renderer::State {
   gl::ShadowPass shadow_pass;
   gl::ScenePass scene_pass;
   gl::MapPass map_pass;
+  gl::CoverPass cover_pass;
   gl::ListPass list_pass;
   gl::MultisampleTarget multisample;
   std::array<gl::ViewTarget, kAllViews.size()> targets;  // by ViewId
@@ -106,6 +108,7 @@ std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& an
     s.map_pass.draw(picture, s.shadow_pass, scale, theme);
   else
     s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, theme);
+  s.cover_pass.draw(picture);
   clear_outside(picture, size, theme);
   s.list_pass.draw(picture, {glm::dvec2(size), scale, theme});
   target.resolve_from(s.multisample);

@@ -9,18 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "draw/image.h"
 #include "draw/view.h"
 #include "measure/shadow_error.h"
 #include "scene/analysis.h"
 #include "scene/scene.h"
 
 namespace psm {
-
-/// 8-bit RGBA, rows top to bottom.
-struct Image {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;
-};
 
 enum class Theme { light, dark };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "draw/texel_overlay.h"
 #include "gl/gl_state.h"
 #include "gl/theme.h"
 
@@ -103,6 +104,49 @@ void draw_scene(std::array<Program, 2>& programs, const SceneUniforms& values, c
   }
 }
 
+/// What texels.frag needs besides; the maps are the analysis' own, whether or not they had to be drawn.
+void set_texels(std::array<Program, 2>& programs, const Analysis& analysis, const SceneBuffers& scene, double scale) {
+  std::vector<glm::mat4> maps;
+  const auto add = [&](const glm::dmat4& map) {
+    if (const auto narrowed = narrow(map * scene.world_from_local())) maps.push_back(*narrowed);
+  };
+  if (analysis.map_from_world) add(*analysis.map_from_world);
+  if (!analysis.map_from_world && analysis.cube_maps_from_world)
+    for (const glm::dmat4& map : *analysis.cube_maps_from_world) add(map);
+  for (Program& program : programs) {
+    program.use();
+    program.set("u_texel_maps", std::span<const glm::mat4>(maps));
+    program.set("u_texel_map_count", int(maps.size()));
+    program.set("u_resolution", float(analysis.experiment.shadow.resolution));
+    program.set("u_scale", float(scale));
+  }
+}
+
+void set_heat(std::array<Program, 2>& programs, EyeOverlay overlay, const Analysis& analysis, const SceneBuffers& scene) {
+  const HeatScale& heat = *heat_scale(overlay);
+  const auto eye = narrow(analysis.clip_from_world() * scene.world_from_local());
+  for (Program& program : programs) {
+    program.use();
+    program.set("u_eye_from_local", eye.value_or(glm::mat4(1.0f)));
+    program.set("u_image_size", glm::vec2(analysis.experiment.image.width, analysis.experiment.image.height));
+    program.set("u_anisotropy", overlay == EyeOverlay::anisotropy ? 1 : 0);
+    program.set("u_bands", std::span<const glm::vec3>(heat.colors));
+    program.set("u_band_count", int(heat.colors.size()));
+    program.set("u_first_bound", float(heat.first_bound));
+    program.set("u_marked_from", float(heat.marked_from));
+    program.set("u_no_texel", kNoTexelColor);
+  }
+}
+
+void set_grid(std::array<Program, 2>& programs, int step, Theme theme) {
+  for (Program& program : programs) {
+    program.use();
+    program.set("u_step", float(step));
+    program.set("u_strong", float(kStrongLines));
+    program.set("u_line_color", line_color(Role::texel_grid, theme));
+  }
+}
+
 }  // namespace
 
 ScenePass::ScenePass(const std::filesystem::path& shaders)
@@ -110,7 +154,10 @@ ScenePass::ScenePass(const std::filesystem::path& shaders)
       depth_{Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n"),
              Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n#define MAY_DISCARD\n")},
       verdicts_{Program(shaders, "scene", "scene", "#define VERDICT\n"),
-                Program(shaders, "scene", "scene", "#define VERDICT\n#define MAY_DISCARD\n")} {}
+                Program(shaders, "scene", "scene", "#define VERDICT\n#define MAY_DISCARD\n")},
+      heat_{Program(shaders, "scene", "texels"), Program(shaders, "scene", "texels", "#define MAY_DISCARD\n")},
+      grid_{Program(shaders, "scene", "texels", "#define GRID\n"),
+            Program(shaders, "scene", "texels", "#define GRID\n#define MAY_DISCARD\n")} {}
 
 void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map,
                      double scale, Theme theme) {
@@ -130,7 +177,24 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
   map.bind_for_comparison(1);
   glEnable(GL_DEPTH_TEST);
   const bool clockwise = front_is_clockwise(clip_from_local);
-  draw_scene(shading_, values, scene, projective, clockwise);
+  if (heat_scale(picture.overlay)) {
+    set_texels(heat_, analysis, scene, scale);
+    set_heat(heat_, picture.overlay, analysis, scene);
+    draw_scene(heat_, values, scene, projective, clockwise);
+  } else {
+    draw_scene(shading_, values, scene, projective, clockwise);
+  }
+  if (picture.texel_step > 0) {
+    set_texels(grid_, analysis, scene, scale);
+    set_grid(grid_, picture.texel_step, theme);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_FALSE);
+    enable_blending();
+    draw_scene(grid_, values, scene, projective, clockwise);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+  }
   const DrawList& list = picture.list;
   if (list.lines.empty() && list.fills.empty() && list.points.empty()) return;
 

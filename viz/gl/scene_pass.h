@@ -17,7 +17,8 @@ class ScenePass {
  public:
   explicit ScenePass(const std::filesystem::path& shaders);
 
-  /// ScenePicture::shadowed and ::projective, into the bound framebuffer, with depth.
+  /// ScenePicture::shadowed and ::projective, into the bound framebuffer, with depth; a heat map instead of the lit scene, and
+  /// the texel grid over it, where the picture asks for them.
   void draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map, double scale,
             Theme theme);
 
@@ -25,7 +26,7 @@ class ScenePass {
   void draw_verdicts(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map);
 
  private:
-  std::array<Program, 2> shading_, depth_, verdicts_;  // each: without and with fragments that may be discarded
+  std::array<Program, 2> shading_, depth_, verdicts_, heat_, grid_;  // each: without and with fragments that may be discarded
 };
 
 class MapPass {

@@ -64,7 +64,7 @@ GlyphAtlas& TextPass::atlas(double scale) {
 }
 
 std::vector<TextBox> TextPass::layout(const ViewPicture& picture, const PictureFrame& frame, std::vector<ShapeVertex>& plates,
-                                      std::vector<LineVertex>& leaders) {
+                                      std::vector<LineVertex>& leaders, std::vector<LineVertex>& marks) {
   std::vector<TextBox> boxes;
   const auto measure = [](const std::string& text, double scale, void* self) {
     return static_cast<TextPass*>(self)->text_size(text, scale);
@@ -77,6 +77,11 @@ std::vector<TextBox> TextPass::layout(const ViewPicture& picture, const PictureF
   }
   std::vector<Occupied> occupied;
   if (!picture.title.empty()) occupied.push_back({title_plate.top_left, title_plate.size});
+  std::vector<ShapeVertex> legend_plates;
+  if (!picture.legend.empty()) {
+    const auto size_of = [&](const std::string& text) { return text_size(text, frame.scale); };
+    occupied.push_back(lay_out_legend(picture.legend, frame, size_of, boxes, legend_plates, marks));
+  }
   for (const PlacedLabel& label :
        place_labels(picture.list, picture.clip_from_list, frame.size, frame.scale, measure, this, occupied)) {
     const Plate plate = plate_around(label.top_left, label.size, frame.scale);
@@ -86,6 +91,7 @@ std::vector<TextBox> TextPass::layout(const ViewPicture& picture, const PictureF
     boxes.push_back({label.top_left, label.size, label.text, glm::vec4(color, 1.0f)});
   }
   if (!picture.title.empty()) add_plate(plates, title_plate, label_color(Role::neutral, frame.theme), frame);
+  plates.insert(plates.end(), legend_plates.begin(), legend_plates.end());
   return boxes;
 }
 

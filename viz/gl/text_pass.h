@@ -9,24 +9,19 @@
 
 #include "draw/view.h"
 #include "gl/glyph_atlas.h"
+#include "gl/legend_layout.h"
 #include "gl/overlay_vertices.h"
 
 namespace psm::gl {
-
-/// A text and where it goes; pixels, y downwards.
-struct TextBox {
-  glm::dvec2 top_left, size;
-  std::string text;
-  glm::vec4 color;
-};
 
 class TextPass {
  public:
   TextPass(const std::filesystem::path& shaders, const std::filesystem::path& font);
 
-  /// Places labels and title, and appends their plates and leaders to what the other passes draw.
+  /// Places labels, title and legend, and appends their plates, leaders and marks (hatching over plates) to what the other passes
+  /// draw.
   std::vector<TextBox> layout(const ViewPicture& picture, const PictureFrame& frame, std::vector<ShapeVertex>& plates,
-                              std::vector<LineVertex>& leaders);
+                              std::vector<LineVertex>& leaders, std::vector<LineVertex>& marks);
   void draw(const std::vector<TextBox>& boxes, const PictureFrame& frame);
 
   glm::dvec2 text_size(const std::string& text, double scale) { return atlas(scale).text_size(text); }

@@ -28,6 +28,12 @@ bool in_cone(const LightSettings& light, double tangent, const glm::dvec3& posit
   return glm::length(glm::cross(axis, ray)) < tangent * glm::dot(axis, ray);
 }
 
+bool in_light(const SurfacePoint& p, const glm::dvec4& light, const Experiment& x, double tangent) {
+  return faces(p, light) && in_cone(x.light, tangent, p.position);
+}
+
+double cone_tangent(const Experiment& x) { return std::tan(x.light.cone_deg * kRadiansPerDegree / 2); }
+
 bool compared(Lit lit) { return lit == Lit::dark || lit == Lit::lit; }
 
 /// Squared distance in pixels from each pixel to the nearest one that has a 4-neighbour of another light; unseen pixels have
@@ -53,14 +59,14 @@ std::vector<float> distances_to_change(const std::vector<Lit>& truth, int width,
 
 std::vector<Lit> trace_light(const RayTracer& tracer, const VisibleImage& image, const Experiment& experiment) {
   const glm::dvec4 light = homogeneous_light(experiment.light);
-  const double tangent = std::tan(experiment.light.cone_deg * kRadiansPerDegree / 2);
+  const double tangent = cone_tangent(experiment);
   std::vector<Lit> truth(image.points.size(), Lit::unseen);
   for_each_row(image.height, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(image.width), end = first + std::size_t(image.width);
     for (std::size_t i = first; i < end; ++i) {
       if (!image.sees(i)) continue;
       const SurfacePoint& p = image.points[i];
-      const bool away = !faces(p, light) || !in_cone(experiment.light, tangent, p.position);
+      const bool away = !in_light(p, light, experiment, tangent);
       truth[i] = away ? Lit::away : tracer.shadowed(p, light) ? Lit::dark : Lit::lit;
     }
   });
@@ -94,6 +100,23 @@ std::optional<TexelStatistics> texel_statistics(const std::vector<float>& m) {
   out.m_max = double(*std::max_element(sizes.begin(), sizes.end()));
   out.undersampled_fraction = double(std::count_if(sizes.begin(), sizes.end(), [](float size) { return size > 1; })) / count;
   return out;
+}
+
+std::optional<TexelStatistics> texel_statistics(const std::vector<SurfacePoint>& visible, const Analysis& analysis) {
+  const Experiment& x = analysis.experiment;
+  const glm::dvec4 light = homogeneous_light(x.light);
+  const double tangent = cone_tangent(x);
+  std::vector<float> m;
+  for (const SurfacePoint& p : visible)
+    if (in_light(p, light, x, tangent) && map_at(analysis, p.position)) m.push_back(float(footprint_at(analysis, p).m));
+  return texel_statistics(m);
+}
+
+Analysis analyze_with_statistics(const Experiment& experiment, const Scene& scene, const RayTracer& tracer) {
+  const std::vector<SurfacePoint> visible = visible_points(tracer, experiment);
+  Analysis analysis = analyze(experiment, scene, visible);
+  analysis.texels = texel_statistics(visible, analysis);
+  return analysis;
 }
 
 std::vector<ErrorCause> find_errors(const std::vector<Lit>& truth, const std::vector<MapVerdict>& verdicts,

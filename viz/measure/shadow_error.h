@@ -29,6 +29,12 @@ std::vector<float> texel_sizes(const VisibleImage& image, const std::vector<Lit>
 /// Over the pixels with m > 0; nothing where there are none. An infinite m counts as undersampled and as the largest.
 std::optional<TexelStatistics> texel_statistics(const std::vector<float>& m);
 
+/// The same over points that the eye sees, such as visible_points(): those that face the light and lie in its cone.
+std::optional<TexelStatistics> texel_statistics(const std::vector<SurfacePoint>& visible, const Analysis& analysis);
+
+/// analyze() with those statistics over the points that it is given itself: what is shown live.
+Analysis analyze_with_statistics(const Experiment& experiment, const Scene& scene, const RayTracer& tracer);
+
 /// Pixels that the truth calls dark or lit are compared; `verdicts` are what the shadow map said at the same pixels.
 std::vector<ErrorCause> find_errors(const std::vector<Lit>& truth, const std::vector<MapVerdict>& verdicts,
                                     const std::vector<float>& m, int width, int height);

@@ -24,6 +24,7 @@ constexpr std::array kTechniques{
     "uniform",         "psm",           "lispsm",     "lispsm_reference", "glpr",        "gmnpr",        "minimax",
     "minimax_frustum", "plane_optimal", "best_plane", "psm_recipe",       "psm_divided", "psm_two_maps", "custom"};
 constexpr std::array kShiftRules{"auto", "in_front", "inside"};
+constexpr std::array kEyeOverlays{"none", "texel_size", "anisotropy", "errors"};
 constexpr std::array kViews{"world", "cube", "map", "eye"};
 static_assert(kViews.size() == kAllViews.size());
 
@@ -168,6 +169,15 @@ void add_view(std::vector<Field>& rows) {
                      .within(-1e6, 1e6));
   rows.push_back(Row("view.map_zoom", PSM_REF(NumberRef, view.map_zoom), "", "How much the map view is enlarged; 1 shows it all.")
                      .within(1e-3, 1e6));
+  rows.push_back(Row("view.eye_overlay", PSM_CHOICE(as_list(kEyeOverlays), view.eye_overlay), "",
+                     "What the eye view's colours mean: the picture itself, the size m or the anisotropy of the map's texels in "
+                     "it, or its errors against ray-traced shadows."));
+  rows.push_back(Row("view.texel_grid", PSM_CHOICE((std::vector<std::string>{"off", "on"}), view.texel_grid), "",
+                     "Whether the map's texels are drawn on the receivers, in the eye, world and cube view."));
+  rows.push_back(Row("view.probe", PSM_REF(AutoPixelRef, view.probe), "px",
+                     "The pixel x, y of the image, from its top left, whose texel, rays and angles all views show, or null.")
+                     .within(0, 16384)
+                     .absent_is("null"));
 }
 
 #undef PSM_REF
@@ -205,6 +215,7 @@ struct AllowedValues {
     for (const char* rule : kShiftRules) text += std::string(rule) + ", ";
     return text + "or a number in " + range_text(field);
   }
+  std::string operator()(const AutoPixelRef&) const { return field.absent + ", or two numbers in " + range_text(field); }
   std::string operator()(const AutoPlaneRef&) const {
     return field.absent + ", or four numbers a, b, c, d in " + range_text(field) + " with a, b, c not all (nearly) zero";
   }
@@ -240,6 +251,10 @@ struct ValueText {
     const CameraShift& shift = read(ref, experiment);
     const double* value = std::get_if<double>(&shift);
     return value ? number_text(*value) : name_of(std::get<ShiftRule>(shift));
+  }
+  std::string operator()(const AutoPixelRef& ref) const {
+    const auto& value = read(ref, experiment);
+    return value ? list_text<2>(*value) : field.absent;
   }
   std::string operator()(const AutoPlaneRef& ref) const {
     const auto& value = read(ref, experiment);
@@ -281,6 +296,10 @@ struct InRange {
     const CameraShift& shift = read(ref, experiment);
     const double* value = std::get_if<double>(&shift);
     return !value || number(*value);
+  }
+  bool operator()(const AutoPixelRef& ref) const {
+    const auto& value = read(ref, experiment);
+    return !value || vector<2>(*value, 2);
   }
   bool operator()(const AutoPlaneRef& ref) const {
     const auto& value = read(ref, experiment);
@@ -370,6 +389,7 @@ std::optional<InputError> check_experiment(const Experiment& experiment) {
 
 const char* name_of(LightType type) { return kLightTypes[std::size_t(type)]; }
 const char* name_of(Technique technique) { return kTechniques[std::size_t(technique)]; }
+const char* name_of(EyeOverlay overlay) { return kEyeOverlays[std::size_t(overlay)]; }
 const char* name_of(ViewId id) { return kViews[std::size_t(id)]; }
 
 const char* name_of(ShiftRule rule) { return kShiftRules[std::size_t(rule)]; }

@@ -49,6 +49,7 @@ enum class NearFit { off, bounds, depth };
 enum class Focus { bounds, visible };
 enum class WarpRange { receivers, frustum };
 enum class SceneBody { box, hull, automatic };
+enum class EyeOverlay { none, texel_size, anisotropy, errors };
 enum class ViewId { world, cube, map, eye };
 inline constexpr std::array kAllViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};  // by value
 
@@ -107,8 +108,11 @@ struct OrbitSettings {
 struct ViewSettings {
   std::optional<ViewId> maximised;  // none: all four
   OrbitSettings world, cube;
-  glm::dvec2 map_center{0.0};  // map clip space
-  double map_zoom = 1.0;       // 1: the whole map
+  glm::dvec2 map_center{0.0};                 // map clip space
+  double map_zoom = 1.0;                      // 1: the whole map
+  EyeOverlay eye_overlay = EyeOverlay::none;  // what the eye view's colours mean
+  bool texel_grid = false;                    // the map's texels on the receivers, in the eye, world and cube view
+  std::optional<glm::dvec2> probe;            // the pixel of the image whose texel is shown in all views
   bool operator==(const ViewSettings&) const = default;
 };
 
@@ -136,18 +140,19 @@ using Vec2Ref = std::function<glm::dvec2&(Experiment&)>;
 using Vec3Ref = std::function<glm::dvec3&(Experiment&)>;
 using TextRef = std::function<std::string&(Experiment&)>;
 using ShiftRef = std::function<CameraShift&(Experiment&)>;                    // a rule's name or a number
+using AutoPixelRef = std::function<std::optional<glm::dvec2>&(Experiment&)>;  // null, or [x, y]
 using AutoPlaneRef = std::function<std::optional<glm::dvec4>&(Experiment&)>;  // "auto" or null, or [a, b, c, d]
 
 /// One row: a member that a user can set.
 struct Field {
   std::string path;  // JSON path, such as "camera.near"
-  std::variant<NumberRef, IntRef, Vec2Ref, Vec3Ref, TextRef, ShiftRef, AutoPlaneRef, Choice> member;
+  std::variant<NumberRef, IntRef, Vec2Ref, Vec3Ref, TextRef, ShiftRef, AutoPixelRef, AutoPlaneRef, Choice> member;
   std::string unit;                         // "" where there is none; "deg", "texels", "scene units", "px"
   double min = -1e300, max = 1e300;         // of a number or of each component
   bool open_min = false, open_max = false;  // the bound itself is not allowed
   bool may_be_infinite = false;             // "inf" is allowed
   bool nonzero = false;                     // a vector: not the zero vector; a plane: its normal is not
-  std::string absent = "auto";              // the word for "no value" of AutoPlaneRef: "auto" or "null"
+  std::string absent = "auto";              // the word for "no value" of AutoPixelRef and AutoPlaneRef: "auto" or "null"
   std::string help;                         // one sentence
   /// False where the member means nothing for this experiment (a spot's cone while the light is directional).
   std::function<bool(const Experiment&)> applies = [](const Experiment&) { return true; };
@@ -181,6 +186,7 @@ const char* name_of(LightType);
 const char* name_of(Technique);
 const char* name_of(ViewId);
 const char* name_of(ShiftRule);
+const char* name_of(EyeOverlay);
 std::vector<std::string> technique_names();
 std::optional<ShiftRule> shift_rule_from_name(const std::string& name);
 /// Whether the technique looks from a shifted eye.

@@ -133,11 +133,14 @@ struct ReadJson {
     if (number) ref(experiment) = *number;
     return number.has_value();
   }
-  bool operator()(const AutoPlaneRef& ref) const {
-    glm::dvec4 plane;
-    const bool is_plane = read_vector<4>(json, plane);
-    if (!is_plane && !is_absent()) return false;
-    ref(experiment) = is_plane ? std::optional<glm::dvec4>(plane) : std::nullopt;
+  bool operator()(const AutoPixelRef& ref) const { return or_absent<2>(ref(experiment)); }
+  bool operator()(const AutoPlaneRef& ref) const { return or_absent<4>(ref(experiment)); }
+  template <int N>
+  bool or_absent(std::optional<glm::vec<N, double>>& member) const {
+    glm::vec<N, double> value;
+    const bool is_value = read_vector<N>(json, value);
+    if (!is_value && !is_absent()) return false;
+    member = is_value ? std::optional(value) : std::nullopt;
     return true;
   }
   bool operator()(const Choice& choice) const {
@@ -195,6 +198,10 @@ struct MemberNode {
     const CameraShift& shift = ref(experiment);
     const double* value = std::get_if<double>(&shift);
     return value ? JsonNode(*value) : JsonNode(name_of(std::get<ShiftRule>(shift)));
+  }
+  JsonNode operator()(const AutoPixelRef& ref) const {
+    const auto& value = ref(experiment);
+    return value ? JsonNode(*value) : absent();
   }
   JsonNode operator()(const AutoPlaneRef& ref) const {
     const auto& value = ref(experiment);

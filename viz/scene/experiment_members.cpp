@@ -51,11 +51,14 @@ struct ReadText {
     if (number) ref(experiment) = *number;
     return number.has_value();
   }
-  bool operator()(const AutoPlaneRef& ref) const {
-    glm::dvec4 plane;
-    const bool is_plane = read_list<4>(text, plane);
-    if (!is_plane && text != field.absent) return false;
-    ref(experiment) = is_plane ? std::optional<glm::dvec4>(plane) : std::nullopt;
+  bool operator()(const AutoPixelRef& ref) const { return or_absent<2>(ref(experiment)); }
+  bool operator()(const AutoPlaneRef& ref) const { return or_absent<4>(ref(experiment)); }
+  template <int N>
+  bool or_absent(std::optional<glm::vec<N, double>>& member) const {
+    glm::vec<N, double> value;
+    const bool is_value = read_list<N>(text, value);
+    if (!is_value && text != field.absent) return false;
+    member = is_value ? std::optional(value) : std::nullopt;
     return true;
   }
   bool operator()(const Choice& choice) const {

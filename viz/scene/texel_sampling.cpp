@@ -34,12 +34,6 @@ bool bounds_scene(const Plane& p) {
   return side_of_box || p.id == PlaneId::given;
 }
 
-/// The one of six maps that looks the point's way: it has the largest w there.
-const glm::dmat4& map_of(const std::array<glm::dmat4, 6>& maps, const glm::dvec3& position) {
-  const auto w = [&](const glm::dmat4& map) { return glm::dot(row(map, 3), glm::dvec4(position, 1)); };
-  return *std::max_element(maps.begin(), maps.end(), [&](const auto& a, const auto& b) { return w(a) < w(b); });
-}
-
 TexelFootprint<double> footprint_in(const glm::dmat4& map_from_world, const Analysis& analysis, const SurfacePoint& p,
                                     glm::ivec2 pixels) {
   return texel_footprint<double>(analysis.clip_from_world(), map_from_world, p.position, p.normal, pixels.x, pixels.y,
@@ -50,14 +44,22 @@ glm::ivec2 pixels_of(const Analysis& analysis) { return {analysis.experiment.ima
 
 }  // namespace
 
+std::optional<MapAt> map_at(const Analysis& analysis, const glm::dvec3& position) {
+  if (analysis.map_from_world) return MapAt{0, *analysis.map_from_world};
+  if (!analysis.cube_maps_from_world) return std::nullopt;
+  // Of the six, the one whose w is largest there.
+  const auto& maps = *analysis.cube_maps_from_world;
+  const auto w = [&](const glm::dmat4& map) { return glm::dot(row(map, 3), glm::dvec4(position, 1)); };
+  const auto best = std::max_element(maps.begin(), maps.end(), [&](const auto& a, const auto& b) { return w(a) < w(b); });
+  return MapAt{int(best - maps.begin()), *best};
+}
+
 TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint& point) {
   return footprint_at(analysis, point, pixels_of(analysis));
 }
 
 TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint& point, glm::ivec2 pixels) {
-  const glm::dmat4& map =
-      analysis.map_from_world ? *analysis.map_from_world : map_of(*analysis.cube_maps_from_world, point.position);
-  return footprint_in(map, analysis, point, pixels);
+  return footprint_in(map_at(analysis, point.position)->map_from_world, analysis, point, pixels);
 }
 
 std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis& analysis) {

@@ -3,6 +3,7 @@
 // and light alike, seen through a coarse grid of pixels.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geom/frustum.h"
@@ -14,6 +15,14 @@ namespace psm {
 /// Along each of 8 x 5 view rays three points of R: where it enters, the middle, where it leaves. Normals halve the angle
 /// between the directions to the eye and to the light.
 std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis& analysis);
+
+/// The map that answers for a point: the single one, the first of two, or that one of six that looks the point's way.
+struct MapAt {
+  int layer = 0;
+  glm::dmat4 map_from_world{1.0};
+};
+/// Nothing where the analysis has no map.
+std::optional<MapAt> map_at(const Analysis& analysis, const glm::dvec3& position);
 
 /// The footprint of the texel at a surface point, in pixels of an image of `pixels` (the experiment's own, unless given): of the
 /// single map, or of that one of the six that the point lies in.

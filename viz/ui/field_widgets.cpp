@@ -140,6 +140,10 @@ struct RowWidgets {
     ImGui::SameLine();
     component(*number, 0, field.path, ImGui::GetContentRegionAvail().x - reset_width());
   }
+  void operator()(const AutoPixelRef& ref) const {
+    const ImageSettings& image = experiment.image;
+    or_absent(ref(experiment), {0.5 * image.width, 0.5 * image.height}, [this](glm::dvec2& pixel) { components(pixel); });
+  }
   void operator()(const AutoPlaneRef& ref) const {
     // The plane in use is the best start for one to drag.
     const glm::dvec4 standard = ui.model.analysis().vanishing_plane.value_or(glm::dvec4(0, 1, 0, 0));
@@ -175,7 +179,8 @@ std::string field_tooltip(const Field& field, const Experiment& experiment) {
 }
 
 bool needs_own_line(const Field& field) {
-  return std::holds_alternative<Vec3Ref>(field.member) || std::holds_alternative<AutoPlaneRef>(field.member);
+  return std::holds_alternative<Vec3Ref>(field.member) || std::holds_alternative<AutoPixelRef>(field.member) ||
+         std::holds_alternative<AutoPlaneRef>(field.member);
 }
 
 void reset_button(UiContext& ui, const Field& field, Experiment& experiment) {

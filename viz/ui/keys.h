@@ -32,6 +32,9 @@ enum class Action {
   technique_next,
   technique_previous,
   play_camera_shift,
+  eye_overlay_next,
+  toggle_texel_grid,
+  pin_probe,
   copy_state,
   quit
 };

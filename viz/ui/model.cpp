@@ -40,7 +40,7 @@ void Model::adopt_scene_source() {
 
 void Model::analyze_now() {
   const auto start = std::chrono::steady_clock::now();
-  analysis_ = analyze(loaded_.experiment, loaded_.scene, tracer_);
+  analysis_ = analyze_with_statistics(loaded_.experiment, loaded_.scene, tracer_);
   analysis_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   ++analysis_revision_;
 }

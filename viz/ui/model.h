@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "measure/visible_image.h"
+#include "measure/shadow_error.h"
 #include "scene/experiment_file.h"
 #include "ui/history.h"
 

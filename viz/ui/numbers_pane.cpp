@@ -22,6 +22,18 @@ std::optional<double> model_value(const Analysis& a, double ModelError::*member)
   return a.model_error ? std::optional<double>((*a.model_error).*member) : std::nullopt;
 }
 
+std::string texel_value(const Analysis& a, double TexelStatistics::*member) {
+  return a.texels ? shown_number((*a.texels).*member, 4) + " px" : absent;
+}
+
+/// All lines at all times, so that nothing below them jumps.
+std::vector<NumberLine> probe_lines(const std::optional<Probe>& probe) {
+  std::vector<NumberLine> lines;
+  for (const auto& [name, value] : probe_numbers(probe.value_or(Probe{})))
+    lines.push_back({name, probe ? value : absent, "Of the texel that the mouse points at, in the eye, world or map view."});
+  return lines;
+}
+
 std::string decisions_text(const ConvexBody& b) {
   return std::to_string(b.vertices.size()) + " vertices, " + std::to_string(b.facets.size()) + " facets.";
 }
@@ -86,6 +98,12 @@ std::vector<NumberLine> number_lines(const Analysis& a) {
        "All receivers: V ∩ S ∩ L. " + decisions_text(a.receivers_body)},
       {"H decided exactly", exact_count(a.caster_body),
        "Signs that doubles with an error bound could not decide, of all signs that made H."},
+      {"m, median", texel_value(a, &TexelStatistics::m_p50),
+       "Largest extent of a texel in pixels, over a grid of visible points that face the light: half are finer."},
+      {"m, 95 %", texel_value(a, &TexelStatistics::m_p95), "The same: 95 of 100 points are finer."},
+      {"m, largest", texel_value(a, &TexelStatistics::m_max), "The same: the coarsest."},
+      {"m > 1", a.texels ? shown_number(100.0 * a.texels->undersampled_fraction, 3) + " %" : absent,
+       "Undersampled: the part of these points whose texel is larger than a pixel."},
       {"camera shift", shown_number(a.camera_shift, 5), "How far the virtual camera stands back."},
   };
 }
@@ -108,11 +126,14 @@ std::vector<Note> all_notes(const Scene& scene, const Analysis& analysis) {
   return notes;
 }
 
-void numbers_pane(UiContext& ui, bool show_notes) {
+void numbers_pane(UiContext& ui, const std::optional<Probe>& probe, bool show_notes) {
   const auto notes = all_notes(ui.model.scene(), ui.model.analysis());
   const bool numbers_open = ImGui::CollapsingHeader("numbers", ImGuiTreeNodeFlags_DefaultOpen);
   note_place(ui, "numbers");
   if (numbers_open) draw_lines(number_lines(ui.model.analysis()));
+  const bool texel_open = ImGui::CollapsingHeader("texel under the mouse", ImGuiTreeNodeFlags_DefaultOpen);
+  note_place(ui, "texel");
+  if (texel_open) draw_lines(probe_lines(probe));
   if (show_notes) ImGui::SetNextItemOpen(true);
   const bool notes_open = ImGui::CollapsingHeader("notes", ImGuiTreeNodeFlags_DefaultOpen);
   if (show_notes) ImGui::SetScrollHereY(0.0f);

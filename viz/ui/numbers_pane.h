@@ -2,9 +2,11 @@
 // The numbers of the analysis and every note, as text.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "draw/probe.h"
 #include "scene/analysis.h"
 #include "ui/ui_context.h"
 
@@ -24,6 +26,6 @@ std::string note_text(const Note& note);
 std::vector<Note> all_notes(const Scene& scene, const Analysis& analysis);
 
 /// `show_notes`: scrolls to the notes.
-void numbers_pane(UiContext& ui, bool show_notes);
+void numbers_pane(UiContext& ui, const std::optional<Probe>& probe, bool show_notes);
 
 }  // namespace psm

@@ -34,6 +34,9 @@ struct Clamp {
   void operator()(const ShiftRef& ref) const {
     if (double* x = std::get_if<double>(&ref(experiment))) number(*x);
   }
+  void operator()(const AutoPixelRef& ref) const {
+    if (auto& x = ref(experiment)) vector(*x);
+  }
   void operator()(const AutoPlaneRef& ref) const {
     if (auto& x = ref(experiment)) vector(*x);
   }

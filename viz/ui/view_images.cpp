@@ -12,6 +12,8 @@ ViewSettings relevant(ViewId id, const ViewSettings& view) {
   if (id == ViewId::world) out.world = view.world;
   if (id == ViewId::cube) out.cube = view.cube;
   if (id == ViewId::map) out.map_center = view.map_center, out.map_zoom = view.map_zoom;
+  if (id == ViewId::eye) out.eye_overlay = view.eye_overlay;
+  if (id != ViewId::map) out.texel_grid = view.texel_grid;
   return out;
 }
 
@@ -46,6 +48,13 @@ void ViewImages::upload(const Model& model) {
   map_ = model.analysis_revision();
 }
 
+void ViewImages::trace_errors(const Model& model) {
+  if (model.experiment().view.eye_overlay != EyeOverlay::errors || (errors_ && errors_of_ == model.analysis_revision())) return;
+  upload(model);
+  errors_ = compare_with_truth(renderer_, model.tracer(), model.analysis(), kQuickPixels);
+  errors_of_ = model.analysis_revision();
+}
+
 int ViewImages::update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme) {
   if (known_analysis_ != model.analysis_revision()) analysis_ = model.analysis();
   known_analysis_ = model.analysis_revision();
@@ -55,10 +64,14 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
     const glm::ivec2 size = sizes[std::size_t(id)];
     if (size.x <= 0 || size.y <= 0) continue;
     View& view = views_[std::size_t(id)];
-    const Key key{model.analysis_revision(), relevant(id, shown), size, scale, theme};
+    const bool wants_errors = id == ViewId::eye && shown.eye_overlay == EyeOverlay::errors;
+    const bool has_errors = wants_errors && errors_ && errors_of_ == model.analysis_revision();
+    const Key key{model.analysis_revision(), relevant(id, shown), size, scale, theme, has_errors ? errors_of_ : 0};
     if (view.texture != 0 && view.key == key) continue;
     upload(model);
     view.picture = describe_view(id, analysis_, model.scene(), size);
+    if (has_errors) show_errors(view.picture, *errors_);
+    if (wants_errors && !has_errors) announce_errors(view.picture);
     view.texture = renderer_.draw_view(view.picture, analysis_, size, scale, theme);
     view.key = key;
     ++drawn;

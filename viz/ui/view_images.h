@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "draw/view.h"
+#include "gl/error_view.h"
 #include "gl/renderer.h"
 #include "ui/layout.h"
 #include "ui/model.h"
@@ -39,6 +40,10 @@ class ViewImages {
   /// Draws what is out of date; returns how many views were drawn. `sizes`: empty (0) for hidden views.
   int update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme);
 
+  /// The eye view's errors for this analysis, if the experiment shows them and they are not known yet. Takes tens of
+  /// milliseconds.
+  void trace_errors(const Model& model);
+
   const ViewPicture& picture(ViewId id) const { return views_[std::size_t(id)].picture; }
   std::uint32_t texture(ViewId id) const { return views_[std::size_t(id)].texture; }
   glm::ivec2 size(ViewId id) const { return views_[std::size_t(id)].key.size; }
@@ -51,6 +56,7 @@ class ViewImages {
     glm::ivec2 size{0};
     double scale = 0.0;
     Theme theme = Theme::light;
+    std::uint64_t errors = 0;  // the analysis whose errors are shown
     bool operator==(const Key&) const = default;
   };
   struct View {
@@ -62,6 +68,8 @@ class ViewImages {
 
   Renderer& renderer_;
   Analysis analysis_;
+  std::optional<ErrorView> errors_;
+  std::uint64_t errors_of_ = 0;  // analysis revision
   std::uint64_t scene_ = 0, map_ = 0, known_analysis_ = 0;
   std::array<View, kAllViews.size()> views_;
 };

@@ -10,6 +10,7 @@
 
 #include "scene/light_angles.h"
 #include "ui/badge_bar.h"
+#include "ui/eye_tools.h"
 #include "ui/field_widgets.h"
 #include "ui/numbers_pane.h"
 
@@ -152,10 +153,21 @@ void Workbench::move_camera_shift(Frame& f) {
 }
 
 void Workbench::tiles(Frame& f) {
+  pointed_.reset();
   for (ViewId id : kAllViews) {
-    const std::string tag = tile_input(f.ui, id, f.layout.view(id), images_, drag_, f.edited);
+    const Rect rect = f.layout.view(id);
+    const std::string tag = tile_input(f.ui, id, rect, images_, drag_, f.edited);
     if (!tag.empty()) f.tag = tag;
+    if (rect.empty() || !ImGui::IsItemHovered() || ImGui::IsAnyMouseDown()) continue;
+    pointed_ = PointedAt{id, glm::dvec2(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y) - glm::dvec2(rect.min)};
   }
+  if (!f.layout.view(ViewId::eye).empty()) eye_tools(f.ui, f.layout.view(ViewId::eye), f.edited);
+}
+
+void Workbench::find_probe() {
+  probe_.reset();
+  if (pointed_) probe_ = probe_under(*pointed_, model_, images_);
+  if (!probe_) probe_ = probe_of(model_);
 }
 
 void Workbench::pane_fields(Frame& f) {
@@ -187,7 +199,7 @@ void Workbench::pane_header(Frame& f) {
 void Workbench::pane_numbers(Frame& f) {
   if (f.layout.pane.empty()) return;
   begin_child("fields", fields_rect(f.layout.pane));
-  numbers_pane(f.ui, std::exchange(show_notes_, false));
+  numbers_pane(f.ui, probe_, std::exchange(show_notes_, false));
   ImGui::EndChild();
 }
 
@@ -222,12 +234,17 @@ void Workbench::commit(Frame& f) {
 void Workbench::draw_views(Frame& f) {
   const auto start = std::chrono::steady_clock::now();
   const auto sizes = f.view_sizes();
+  const bool resting = !f.changed && !shift_play_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
+  if (resting && sizes[std::size_t(ViewId::eye)].x > 0) images_.trace_errors(model_);
   // A fit that a hidden view never had is found when the view shows.
   const int drawn = images_.update(model_, fitted_.shown(model_, sizes), sizes, f.scale, settings_.theme);
   views_drawn_ += std::uint64_t(drawn);
   if (drawn > 0) views_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   for (ViewId id : kAllViews)
     if (sizes[std::size_t(id)].x > 0) draw_tile(f.ui, id, f.layout.view(id), images_, drag_);
+  find_probe();
+  for (ViewId id : kAllViews)
+    if (probe_ && sizes[std::size_t(id)].x > 0) draw_probe(f.ui, *probe_, id, f.layout.view(id), images_);
 }
 
 void Workbench::end_frame(Frame& f) {

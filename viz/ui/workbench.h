@@ -15,6 +15,7 @@
 #include "ui/dialogs.h"
 #include "ui/input_queue.h"
 #include "ui/model.h"
+#include "ui/probe_hover.h"
 #include "ui/settings.h"
 #include "ui/theme.h"
 #include "ui/view_images.h"
@@ -75,6 +76,7 @@ class Workbench {
   const Places& places() const { return places_; }
   Renderer& renderer() { return renderer_; }
   const ViewImages& images() const { return images_; }
+  const std::optional<Probe>& probe() const { return probe_; }
   Dialogs::Kind dialog() const { return dialogs_.shown(); }
   const std::string& message() const { return message_; }
   std::string window_title() const;
@@ -103,6 +105,10 @@ class Workbench {
   void ask_for_picture();
   void save_picture(const Image& image);
   void change_technique(int step);
+  void change_eye_overlay();
+  void toggle_texel_grid();
+  void pin_probe();
+  void find_probe();
   void maximise(std::optional<ViewId> view);
   void fit_views();
   void commit_now(const Experiment& edited);
@@ -115,6 +121,8 @@ class Workbench {
   std::vector<std::filesystem::path> experiments_;
   FittedOrbits fitted_;
   ViewDrag drag_;
+  std::optional<PointedAt> pointed_;  // where the mouse is, unless it is busy
+  std::optional<Probe> probe_;        // there, or where the experiment has one
   LightControls light_;
   std::optional<ShiftPlay> shift_play_;
   ShiftRule played_rule_ = ShiftRule::automatic;

@@ -87,6 +87,12 @@ void Workbench::act(Action action) {
       return change_technique(-1);
     case Action::play_camera_shift:
       return play_camera_shift();
+    case Action::eye_overlay_next:
+      return change_eye_overlay();
+    case Action::toggle_texel_grid:
+      return toggle_texel_grid();
+    case Action::pin_probe:
+      return pin_probe();
     case Action::save_picture:
       return ask_for_picture();
     case Action::quit:
@@ -131,8 +137,9 @@ void Workbench::maximise(std::optional<ViewId> view) {
 
 void Workbench::fit_views() {
   Experiment edited = model_.experiment();
-  edited.view = ViewSettings{};
-  edited.view.maximised = model_.experiment().view.maximised;
+  const ViewSettings fitted;
+  edited.view.world = fitted.world, edited.view.cube = fitted.cube;
+  edited.view.map_center = fitted.map_center, edited.view.map_zoom = fitted.map_zoom;
   fitted_.fit_again();
   commit_now(edited);
 }
@@ -143,6 +150,30 @@ void Workbench::change_technique(int step) {
   const auto found = std::find(offered.begin(), offered.end(), edited.shadow.technique);
   const int count = int(offered.size()), at = found == offered.end() ? 0 : int(found - offered.begin());
   edited.shadow.technique = offered[std::size_t((at + step + count) % count)];
+  commit_now(edited);
+}
+
+void Workbench::change_eye_overlay() {
+  Experiment edited = model_.experiment();
+  EyeOverlay& overlay = edited.view.eye_overlay;
+  overlay = overlay == EyeOverlay::errors ? EyeOverlay::none : EyeOverlay(int(overlay) + 1);
+  commit_now(edited);
+}
+
+void Workbench::toggle_texel_grid() {
+  Experiment edited = model_.experiment();
+  edited.view.texel_grid = !edited.view.texel_grid;
+  commit_now(edited);
+}
+
+void Workbench::pin_probe() {
+  Experiment edited = model_.experiment();
+  const bool over_eye = pointed_ && pointed_->view == ViewId::eye;
+  if (edited.view.probe)
+    edited.view.probe.reset();
+  else if (over_eye)
+    edited.view.probe = image_pixel(*pointed_, images_);
+  if (edited.view == model_.experiment().view) message_ = "point at a pixel of the eye view first";
   commit_now(edited);
 }
 
