@@ -3,6 +3,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace psm {
@@ -29,6 +30,14 @@ double elapsed(GLuint query) {
     glGetQueryObjectui64vEXT(query, GL_QUERY_RESULT_EXT, &nanoseconds);
   return double(nanoseconds) * 1e-9;
 }
+
+bool arrived(GLuint query) {
+  GLuint available = 0;
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT_AVAILABLE, &available);
+  return available != 0;
+}
+
+constexpr int kMostPolls = 60;
 
 const char* text_of(GLenum name) {
   const auto text = reinterpret_cast<const char*>(glGetString(name));
@@ -59,6 +68,43 @@ PassTime PassTimer::time(const std::function<void()>& draw) const {
   const double gpu = elapsed(query_);
   if (!disturbed()) time.gpu = gpu;
   return time;
+}
+
+StageTimers::~StageTimers() {
+  for (const Stage& stage : stages_)
+    if (stage.query) glDeleteQueries(1, &stage.query);
+}
+
+void StageTimers::begin(std::size_t index) {
+  Stage& stage = stages_[index];
+  if (stage.pending || !has_timer_queries()) return;
+  if (!stage.query) glGenQueries(1, &stage.query);
+  glBeginQuery(GL_TIME_ELAPSED, stage.query);
+  stage.running = true;
+}
+
+void StageTimers::end() {
+  for (Stage& stage : stages_) {
+    if (!stage.running) continue;
+    glEndQuery(GL_TIME_ELAPSED);
+    stage.running = false, stage.pending = true, stage.polls = 0;
+  }
+}
+
+void StageTimers::poll() {
+  const bool useless = waiting() && disturbed();
+  for (Stage& stage : stages_) {
+    if (!stage.pending) continue;
+    ++stage.polls;
+    if (!arrived(stage.query)) continue;
+    const double seconds = elapsed(stage.query);
+    stage.gpu = useless ? std::nullopt : std::optional<double>(seconds);
+    stage.pending = false;
+  }
+}
+
+bool StageTimers::waiting() const {
+  return std::any_of(stages_.begin(), stages_.end(), [](const Stage& s) { return s.pending && s.polls < kMostPolls; });
 }
 
 std::string gl_renderer_name() { return std::string(text_of(GL_RENDERER)) + ", " + text_of(GL_VERSION); }

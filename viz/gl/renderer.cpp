@@ -13,6 +13,7 @@
 #include "gl/shadow_pass.h"
 #include "gl/theme.h"
 #include "gl/view_target.h"
+#include "gl/visible_pass.h"
 
 namespace psm {
 
@@ -27,6 +28,7 @@ struct Renderer::State {
   gl::ScenePass scene_pass;
   gl::MapPass map_pass;
   gl::CoverPass cover_pass;
+  gl::VisiblePass visible_pass;
   gl::ListPass list_pass;
   gl::MultisampleTarget multisample;
   std::array<gl::ViewTarget, kAllViews.size()> targets;  // by ViewId
@@ -132,6 +134,17 @@ std::vector<MapVerdict> Renderer::read_verdicts(const Analysis& analysis, int wi
   for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] = MapVerdict(rgba[4 * i]);
   gl::check_errors("read_verdicts");
   return verdicts;
+}
+
+void Renderer::ask_for_visible_points(const Analysis& analysis) {
+  const gl::StateGuard guard;
+  state_->visible_pass.ask(analysis, state_->scene, state_->scene_pass);
+  gl::check_errors("ask_for_visible_points");
+}
+
+std::optional<std::vector<SurfacePoint>> Renderer::take_visible_points() {
+  const gl::StateGuard guard;
+  return state_->visible_pass.take();
 }
 
 std::vector<float> Renderer::read_map_depth() {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,11 @@ class Renderer {
   /// What the map that was drawn last says at each pixel of the eye's image, width x height, rows top to bottom: the raw
   /// comparison, whichever way the surface faces the light.
   std::vector<MapVerdict> read_verdicts(const Analysis& analysis, int width, int height);
+
+  /// Asks the card for what this analysis's eye sees in the middle of each cell of the coarse grid that analyze() takes; never
+  /// waits. The answer is there some frames later: points in world space, cells that see nothing left out.
+  void ask_for_visible_points(const Analysis& analysis);
+  std::optional<std::vector<SurfacePoint>> take_visible_points();
 
   /// Depth in [0, 1] of layer 0 of the shadow map, rows bottom to top; for tests.
   std::vector<float> read_map_depth();

@@ -157,7 +157,9 @@ ScenePass::ScenePass(const std::filesystem::path& shaders)
                 Program(shaders, "scene", "scene", "#define VERDICT\n#define MAY_DISCARD\n")},
       heat_{Program(shaders, "scene", "texels"), Program(shaders, "scene", "texels", "#define MAY_DISCARD\n")},
       grid_{Program(shaders, "scene", "texels", "#define GRID\n"),
-            Program(shaders, "scene", "texels", "#define GRID\n#define MAY_DISCARD\n")} {}
+            Program(shaders, "scene", "texels", "#define GRID\n#define MAY_DISCARD\n")},
+      surface_points_{Program(shaders, "scene", "surface_point"),
+                      Program(shaders, "scene", "surface_point", "#define MAY_DISCARD\n")} {}
 
 void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map,
                      double scale, Theme theme) {
@@ -220,6 +222,17 @@ void ScenePass::draw_verdicts(const Analysis& analysis, const SceneBuffers& scen
   map.bind_for_comparison(1);
   glEnable(GL_DEPTH_TEST);
   draw_scene(verdicts_, values, scene, false, front_is_clockwise(clip_from_local));
+}
+
+void ScenePass::draw_surface_points(const Analysis& analysis, const SceneBuffers& scene) {
+  const glm::dmat4 clip_from_local = analysis.clip_from_world() * scene.world_from_local();
+  const auto clip = narrow(clip_from_local);
+  if (!clip) return;
+  SceneUniforms values;
+  values.clip_from_local = *clip;
+  values.only_triangles = true;
+  glEnable(GL_DEPTH_TEST);
+  draw_scene(surface_points_, values, scene, false, front_is_clockwise(clip_from_local));
 }
 
 MapPass::MapPass(const std::filesystem::path& shaders)

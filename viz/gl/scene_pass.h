@@ -25,8 +25,12 @@ class ScenePass {
   /// The eye's image, into the bound framebuffer: a MapVerdict in red where there is a triangle.
   void draw_verdicts(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map);
 
+  /// The eye's image, into the bound framebuffer: places and normals as bits, see surface_point.frag.
+  void draw_surface_points(const Analysis& analysis, const SceneBuffers& scene);
+
  private:
-  std::array<Program, 2> shading_, depth_, verdicts_, heat_, grid_;  // each: without and with fragments that may be discarded
+  // Each: without and with fragments that may be discarded.
+  std::array<Program, 2> shading_, depth_, verdicts_, heat_, grid_, surface_points_;
 };
 
 class MapPass {

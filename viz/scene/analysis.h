@@ -45,6 +45,7 @@ struct SurfacePoint {
 /// The texel size m in pixels over the visible points that face the light (FORMULAS: largest extent of a texel in the image).
 struct TexelStatistics {
   double m_mean = 0, m_p50 = 0, m_p95 = 0, m_max = 0, undersampled_fraction = 0;  // undersampled: m > 1
+  bool operator==(const TexelStatistics&) const = default;
 };
 
 struct Analysis {

@@ -112,7 +112,7 @@ std::vector<Badge> badges(const Model& model, double views_ms, const std::string
                    warning_color(theme), "badge.worse"});
   out.push_back(notes_badge(model, theme));
   out.push_back({BadgeShape::none,
-                 "analysis " + milliseconds(model.analysis_ms()) + ", views " + milliseconds(views_ms),
+                 "analysis " + milliseconds(model.points_ms() + model.analysis_ms()) + ", views " + milliseconds(views_ms),
                  "Time on the processor for the last analysis, and for the views that were drawn last.",
                  {},
                  "badge.time"});

@@ -220,6 +220,20 @@ void Dialogs::settings_dialog(UiContext& ui, Settings& settings) {
   ImGui::SameLine();
   ImGui::RadioButton("dark", &theme, int(Theme::dark));
   settings.theme = Theme(theme);
+  int source = int(settings.points_from);
+  ImGui::Spacing();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("visible points from");
+  ImGui::SameLine();
+  ImGui::RadioButton("rays", &source, int(PointsSource::rays));
+  note_place(ui, "settings.points=rays");
+  ImGui::SameLine();
+  ImGui::RadioButton("depth readback", &source, int(PointsSource::depth));
+  note_place(ui, "settings.points=depth");
+  rest_tooltip(
+      "Rays answer in the same frame. The card's depth (PSM 2002, section 6) is read back without waiting: it answers a "
+      "frame or more later. The profile shows what each costs.");
+  settings.points_from = PointsSource(source);
   ImGui::Spacing();
   close_button(ui);
 }

@@ -31,6 +31,7 @@ const std::vector<KeyBinding>& key_bindings() {
       {'C', control, Action::copy_state, "Ctrl+C", "copy the experiment as text"},
       {'H', none, Action::toggle_pane, "H", "hide or show the control pane"},
       {'D', none, Action::toggle_theme, "D", "light or dark theme"},
+      {key::f3, none, Action::toggle_profile, "F3", "hide or show the profile: what a frame computed, and how long it took"},
       {',', control, Action::settings, "Ctrl+,", "settings: scale, font size, theme"},
       {'=', control, Action::bigger, "Ctrl+=", "everything bigger"},
       {'-', control, Action::smaller, "Ctrl+-", "everything smaller"},

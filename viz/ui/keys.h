@@ -27,6 +27,7 @@ enum class Action {
   toggle_pane,
   toggle_theme,
   settings,
+  toggle_profile,
   bigger,
   smaller,
   technique_next,

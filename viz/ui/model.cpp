@@ -2,6 +2,9 @@
 #include "ui/model.h"
 
 #include <chrono>
+#include <cmath>
+
+#include "scene/eye_and_light.h"
 
 namespace psm {
 namespace {
@@ -17,6 +20,32 @@ bool is_builtin(const std::string& source) {
 bool same_but_views(Experiment a, const Experiment& b) {
   a.view = b.view;
   return a == b;
+}
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+
+/// Those that another eye saw and this one has in its frustum as well.
+std::vector<SurfacePoint> in_frustum(const std::vector<SurfacePoint>& points, const Experiment& x) {
+  const ViewFrame view = camera_frame(x);
+  std::vector<SurfacePoint> out;
+  for (const SurfacePoint& p : points) {
+    const glm::dvec3 from_eye = p.position - view.eye;
+    const double depth = view.depth(p.position), right = glm::dot(from_eye, view.right), up = glm::dot(from_eye, view.up);
+    const bool inside = depth >= x.camera.near && depth <= x.camera.far && std::abs(right) <= view.tan_x * depth &&
+                        std::abs(up) <= view.tan_y * depth;
+    if (inside && glm::dot(p.normal, from_eye) < 0.0) out.push_back(p);
+  }
+  return out;
+}
+
+/// In all that visible points have a say in.
+bool same_answer(const Analysis& a, const Analysis& b) {
+  return a.map_from_world == b.map_from_world && a.map_beyond_from_world == b.map_beyond_from_world &&
+         a.cube_maps_from_world == b.cube_maps_from_world && a.vanishing_plane == b.vanishing_plane && a.near == b.near &&
+         a.far == b.far && a.rho == b.rho && a.technique_used == b.technique_used && a.camera_shift == b.camera_shift &&
+         a.notes == b.notes && a.worse_than_uniform == b.worse_than_uniform && a.fitted_body.vertices == b.fitted_body.vertices && a.texels == b.texels;
 }
 
 }  // namespace
@@ -39,10 +68,53 @@ void Model::adopt_scene_source() {
 }
 
 void Model::analyze_now() {
-  const auto start = std::chrono::steady_clock::now();
-  analysis_ = analyze_with_statistics(loaded_.experiment, loaded_.scene, tracer_);
-  analysis_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  trace_points();
+  analysis_ = analyzed();
   ++analysis_revision_;
+}
+
+Analysis Model::analyzed() {
+  const auto start = Clock::now();
+  const bool known = points_sight_ && points_sight_->scene == scene_revision_;
+  const std::vector<SurfacePoint> older = known && points_sight_ != sight() ? in_frustum(points_, loaded_.experiment)
+                                                                            : std::vector<SurfacePoint>();
+  const std::vector<SurfacePoint>& visible = points_sight_ == sight() ? points_ : older;
+  Analysis out = analyze(loaded_.experiment, loaded_.scene, visible);
+  out.texels = texel_statistics(visible, out);
+  analysis_ms_ = ms_since(start);
+  return out;
+}
+
+Sight Model::sight() const { return {loaded_.experiment.camera, loaded_.experiment.image.aspect(), scene_revision_}; }
+
+// The light does not change what the eye sees.
+void Model::trace_points() {
+  if (source_ != PointsSource::rays || points_sight_ == sight()) return;
+  const auto start = Clock::now();
+  points_ = psm::visible_points(tracer_, loaded_.experiment);
+  points_ms_ = ms_since(start);
+  points_sight_ = sight();
+  ++points_revision_;
+}
+
+void Model::set_points_source(PointsSource source) {
+  if (source == source_) return;
+  source_ = source;
+  points_sight_.reset();
+  analyze_now();
+}
+
+bool Model::set_visible_points(std::vector<SurfacePoint> points, const Sight& sight, double ms) {
+  if (source_ != PointsSource::depth || sight.scene != scene_revision_) return false;
+  points_ = std::move(points);
+  points_sight_ = sight;
+  points_ms_ = ms;
+  ++points_revision_;
+  Analysis next = analyzed();
+  if (same_answer(next, analysis_)) return false;
+  analysis_ = std::move(next);
+  ++analysis_revision_;
+  return true;
 }
 
 std::optional<InputError> Model::load_scene_of(const Experiment& experiment) {

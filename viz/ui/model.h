@@ -7,12 +7,22 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "measure/shadow_error.h"
 #include "scene/experiment_file.h"
 #include "ui/history.h"
+#include "ui/points_source.h"
 
 namespace psm {
+
+/// All that the visible points depend on.
+struct Sight {
+  CameraSettings camera;
+  double aspect = 1.0;
+  std::uint64_t scene = 0;  // revision
+  bool operator==(const Sight&) const = default;
+};
 
 class Model {
  public:
@@ -40,15 +50,29 @@ class Model {
   /// More than the views differs from what was opened or last saved.
   bool unsaved() const;
 
+  /// Points of another source are forgotten.
+  void set_points_source(PointsSource source);
+  /// What the eye of `sight` sees, from the card. Analyzed again only where that changes the answer; returns whether it does.
+  bool set_visible_points(std::vector<SurfacePoint> points, const Sight& sight, double ms);
+  Sight sight() const;
+  /// What the analysis went by, and of which eye that was: an older one while new points are on their way.
+  const std::vector<SurfacePoint>& visible_points() const { return points_; }
+  const std::optional<Sight>& points_sight() const { return points_sight_; }
+  PointsSource points_source() const { return source_; }
+
   const History& history() const { return history_; }
   std::uint64_t analysis_revision() const { return analysis_revision_; }  // grows with each analysis
   std::uint64_t scene_revision() const { return scene_revision_; }        // grows with each scene
-  double analysis_ms() const { return analysis_ms_; }
+  std::uint64_t points_revision() const { return points_revision_; }      // grows with each set of visible points
+  double analysis_ms() const { return analysis_ms_; }                     // without the visible points
+  double points_ms() const { return points_ms_; }
 
  private:
   std::optional<InputError> go_to(const Experiment& experiment);
   std::optional<InputError> load_scene_of(const Experiment& experiment);
   void analyze_now();
+  Analysis analyzed();
+  void trace_points();
   void adopt_scene_source();
 
   LoadedExperiment loaded_;
@@ -58,7 +82,11 @@ class Model {
   Analysis analysis_;
   History history_;
   std::uint64_t analysis_revision_ = 0, scene_revision_ = 0;
-  double analysis_ms_ = 0.0;
+  double analysis_ms_ = 0.0, points_ms_ = 0.0;
+  PointsSource source_ = PointsSource::rays;
+  std::vector<SurfacePoint> points_;
+  std::optional<Sight> points_sight_;
+  std::uint64_t points_revision_ = 0;
 };
 
 /// `edited` with each member back in its range and members that are tied together agreeing (near < far, up not along the view

@@ -34,6 +34,8 @@ void take(Settings& s, const std::string& name, const std::string& word) {
   if (name == "font_px") take_int(word, s.font_px);
   if (name == "theme" && word == "dark") s.theme = Theme::dark;
   if (name == "theme" && word == "light") s.theme = Theme::light;
+  if (name == "visible_points" && word == "depth") s.points_from = PointsSource::depth;
+  if (name == "visible_points" && word == "rays") s.points_from = PointsSource::rays;
   if (name == "pane") take_number(word, s.layout.pane);
   if (name == "column") take_number(word, s.layout.column);
   if (name == "row") take_number(word, s.layout.row);
@@ -77,8 +79,9 @@ bool write_settings(const Settings& s, const fs::path& file) {
   std::ostringstream out;
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "scale_percent " << s.scale_percent << "\nfont_px " << s.font_px << "\ntheme "
-      << (s.theme == Theme::dark ? "dark" : "light") << "\npane " << s.layout.pane << "\ncolumn " << s.layout.column << "\nrow "
-      << s.layout.row << "\npane_shown " << int(s.layout.pane_shown) << "\n";
+      << (s.theme == Theme::dark ? "dark" : "light") << "\nvisible_points "
+      << (s.points_from == PointsSource::depth ? "depth" : "rays") << "\npane " << s.layout.pane << "\ncolumn " << s.layout.column
+      << "\nrow " << s.layout.row << "\npane_shown " << int(s.layout.pane_shown) << "\n";
   return !write_file_atomically(file, out.str());
 }
 

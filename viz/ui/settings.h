@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "gl/renderer.h"
+#include "ui/points_source.h"
 
 namespace psm {
 
@@ -21,6 +22,7 @@ struct Settings {
   int scale_percent = 100;  // 75 to 300
   int font_px = 18;         // body text at 100 %: 12 to 32
   Theme theme = Theme::light;
+  PointsSource points_from = PointsSource::rays;
   LayoutSettings layout;
   bool operator==(const Settings&) const = default;
 };

@@ -41,38 +41,54 @@ ViewSettings FittedOrbits::shown(const Model& model, const ViewSizes& sizes) {
   return view;
 }
 
-void ViewImages::upload(const Model& model) {
-  if (scene_ != model.scene_revision()) renderer_.set_scene(model.scene());
-  if (scene_ != model.scene_revision() || map_ != model.analysis_revision()) renderer_.update_shadow_map(model.analysis());
+void ViewImages::upload(const Model& model, Profile& profile) {
+  const bool new_scene = scene_ != model.scene_revision();
+  if (new_scene) profile.run(Stage::scene, [&] { renderer_.set_scene(model.scene()); });
+  if (new_scene || map_ != model.analysis_revision()) {
+    const int maps_before = renderer_.maps_drawn();
+    profile.run(Stage::map, [&] { renderer_.update_shadow_map(model.analysis()); });
+    if (renderer_.map_triangles() == 0)
+      profile.skipped(Stage::map, "no caster reaches a receiver");
+    else if (renderer_.maps_drawn() == maps_before)
+      profile.skipped(Stage::map, "unchanged: it would come out as it is");
+  }
   scene_ = model.scene_revision();
   map_ = model.analysis_revision();
 }
 
-void ViewImages::trace_errors(const Model& model) {
-  if (model.experiment().view.eye_overlay != EyeOverlay::errors || (errors_ && errors_of_ == model.analysis_revision())) return;
-  upload(model);
-  errors_ = compare_with_truth(renderer_, model.tracer(), model.analysis(), kQuickPixels);
+void ViewImages::trace_errors(const Model& model, Profile& profile) {
+  if (model.experiment().view.eye_overlay != EyeOverlay::errors)
+    return profile.skipped(Stage::truth, "the eye view shows no errors");
+  if (errors_ && errors_of_ == model.analysis_revision()) return;
+  upload(model, profile);
+  profile.run(Stage::truth, [&] { errors_ = compare_with_truth(renderer_, model.tracer(), model.analysis(), kQuickPixels); });
   errors_of_ = model.analysis_revision();
 }
 
-int ViewImages::update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme) {
+int ViewImages::update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme,
+                       Profile& profile) {
   if (known_analysis_ != model.analysis_revision()) analysis_ = model.analysis();
   known_analysis_ = model.analysis_revision();
   analysis_.experiment.view = shown;
   int drawn = 0;
   for (ViewId id : kAllViews) {
     const glm::ivec2 size = sizes[std::size_t(id)];
-    if (size.x <= 0 || size.y <= 0) continue;
+    if (size.x <= 0 || size.y <= 0) {
+      profile.skipped(stage_of(id), "hidden");
+      continue;
+    }
     View& view = views_[std::size_t(id)];
     const bool wants_errors = id == ViewId::eye && shown.eye_overlay == EyeOverlay::errors;
     const bool has_errors = wants_errors && errors_ && errors_of_ == model.analysis_revision();
     const Key key{model.analysis_revision(), relevant(id, shown), size, scale, theme, has_errors ? errors_of_ : 0};
     if (view.texture != 0 && view.key == key) continue;
-    upload(model);
-    view.picture = describe_view(id, analysis_, model.scene(), size);
-    if (has_errors) show_errors(view.picture, *errors_);
-    if (wants_errors && !has_errors) announce_errors(view.picture);
-    view.texture = renderer_.draw_view(view.picture, analysis_, size, scale, theme);
+    upload(model, profile);
+    profile.run(stage_of(id), [&] {
+      view.picture = describe_view(id, analysis_, model.scene(), size);
+      if (has_errors) show_errors(view.picture, *errors_);
+      if (wants_errors && !has_errors) announce_errors(view.picture);
+      view.texture = renderer_.draw_view(view.picture, analysis_, size, scale, theme);
+    });
     view.key = key;
     ++drawn;
   }

@@ -11,6 +11,7 @@
 #include "gl/renderer.h"
 #include "ui/layout.h"
 #include "ui/model.h"
+#include "ui/profile.h"
 
 namespace psm {
 
@@ -38,11 +39,13 @@ class ViewImages {
   explicit ViewImages(Renderer& renderer) : renderer_(renderer) {}
 
   /// Draws what is out of date; returns how many views were drawn. `sizes`: empty (0) for hidden views.
-  int update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme);
+  int update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme, Profile& profile);
+  /// The card has this model's scene.
+  bool has_scene_of(const Model& model) const { return scene_ == model.scene_revision(); }
 
   /// The eye view's errors for this analysis, if the experiment shows them and they are not known yet. Takes tens of
   /// milliseconds.
-  void trace_errors(const Model& model);
+  void trace_errors(const Model& model, Profile& profile);
 
   const ViewPicture& picture(ViewId id) const { return views_[std::size_t(id)].picture; }
   std::uint32_t texture(ViewId id) const { return views_[std::size_t(id)].texture; }
@@ -64,7 +67,7 @@ class ViewImages {
     ViewPicture picture;
     std::uint32_t texture = 0;
   };
-  void upload(const Model& model);
+  void upload(const Model& model, Profile& profile);
 
   Renderer& renderer_;
   Analysis analysis_;

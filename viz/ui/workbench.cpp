@@ -80,12 +80,15 @@ LookKey Workbench::look(double display_scale) const {
 
 void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<KeyPress>& presses) {
   ++frames_;
+  profile_.begin_frame();
   frames_left_ = std::max(0, frames_left_ - 1);
   if (!presses.empty()) wake();
   const Requests asked = std::exchange(requests_, {});
   if (asked.open) open(*asked.open);
   if (asked.action) act(*asked.action);
   take_keys(presses);
+  model_.set_points_source(settings_.points_from);
+  readback_.take(model_, renderer_, profile_);
 
   places_.clear();
   const double scale = look(display_scale).scale;
@@ -197,9 +200,11 @@ void Workbench::pane_header(Frame& f) {
 
 // Goes on where pane_fields ended: the numbers are those of the analysis that the fields have just led to.
 void Workbench::pane_numbers(Frame& f) {
+  profile_.watch(false);
   if (f.layout.pane.empty()) return;
   begin_child("fields", fields_rect(f.layout.pane));
   numbers_pane(f.ui, probe_, std::exchange(show_notes_, false));
+  profile_panel_.draw(f.ui, profile_, readback_, std::exchange(show_profile_, std::nullopt));
   ImGui::EndChild();
 }
 
@@ -235,9 +240,11 @@ void Workbench::draw_views(Frame& f) {
   const auto start = std::chrono::steady_clock::now();
   const auto sizes = f.view_sizes();
   const bool resting = !f.changed && !shift_play_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
-  if (resting && sizes[std::size_t(ViewId::eye)].x > 0) images_.trace_errors(model_);
+  if (resting && sizes[std::size_t(ViewId::eye)].x > 0) images_.trace_errors(model_, profile_);
   // A fit that a hidden view never had is found when the view shows.
-  const int drawn = images_.update(model_, fitted_.shown(model_, sizes), sizes, f.scale, settings_.theme);
+  const int drawn = images_.update(model_, fitted_.shown(model_, sizes), sizes, f.scale, settings_.theme, profile_);
+  if (images_.has_scene_of(model_)) readback_.ask(model_, renderer_, profile_);
+  report_model();
   views_drawn_ += std::uint64_t(drawn);
   if (drawn > 0) views_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   for (ViewId id : kAllViews)
@@ -247,13 +254,26 @@ void Workbench::draw_views(Frame& f) {
     if (probe_ && sizes[std::size_t(id)].x > 0) draw_probe(f.ui, *probe_, id, f.layout.view(id), images_);
 }
 
+void Workbench::report_model() {
+  if (std::exchange(reported_analysis_, model_.analysis_revision()) != model_.analysis_revision())
+    profile_.ran(Stage::analysis, model_.analysis_ms());
+  const bool new_points = std::exchange(reported_points_, model_.points_revision()) != model_.points_revision();
+  if (model_.points_source() != PointsSource::rays) return;  // the readback reports its own
+  if (new_points)
+    profile_.ran(Stage::points, model_.points_ms());
+  else
+    profile_.skipped(Stage::points, "unchanged: same eye, same scene");
+}
+
 void Workbench::end_frame(Frame& f) {
   if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown()) model_.end_gesture();
   if (f.changed || requests_.open || requests_.action || dialogs_.settling()) wake();
+  if (readback_.waiting() || profile_.waiting()) wake();
   next_wake_ = std::numeric_limits<double>::infinity();
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   if (g.HoveredId != 0 && g.ActiveId == 0 && g.HoveredIdTimer < double(kTooltipDelay))
     next_wake_ = double(kTooltipDelay) - g.HoveredIdTimer + 0.01;
+  profile_.end_frame();
   settings_ = clamped(settings_);
   if (settings_ == saved_settings_ || ImGui::IsAnyMouseDown()) return;
   write_settings(settings_, options_.settings);

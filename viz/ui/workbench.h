@@ -12,10 +12,12 @@
 
 #include "gl/renderer.h"
 #include "ui/control_pane.h"
+#include "ui/depth_readback.h"
 #include "ui/dialogs.h"
 #include "ui/input_queue.h"
 #include "ui/model.h"
 #include "ui/probe_hover.h"
+#include "ui/profile_panel.h"
 #include "ui/settings.h"
 #include "ui/theme.h"
 #include "ui/view_images.h"
@@ -77,6 +79,7 @@ class Workbench {
   Renderer& renderer() { return renderer_; }
   const ViewImages& images() const { return images_; }
   const std::optional<Probe>& probe() const { return probe_; }
+  const Profile& profile() const { return profile_; }
   Dialogs::Kind dialog() const { return dialogs_.shown(); }
   const std::string& message() const { return message_; }
   std::string window_title() const;
@@ -102,6 +105,7 @@ class Workbench {
   void commit(Frame& f);
   void draw_views(Frame& f);
   void end_frame(Frame& f);
+  void report_model();
   void ask_for_picture();
   void save_picture(const Image& image);
   void change_technique(int step);
@@ -119,6 +123,11 @@ class Workbench {
   Renderer renderer_;
   ViewImages images_;
   std::vector<std::filesystem::path> experiments_;
+  Profile profile_;
+  ProfilePanel profile_panel_;
+  DepthReadback readback_;
+  std::uint64_t reported_analysis_ = 0, reported_points_ = 0;
+  std::optional<bool> show_profile_;  // in the next frame
   FittedOrbits fitted_;
   ViewDrag drag_;
   std::optional<PointedAt> pointed_;  // where the mouse is, unless it is busy

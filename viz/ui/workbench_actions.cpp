@@ -75,6 +75,10 @@ void Workbench::act(Action action) {
     case Action::toggle_theme:
       settings_.theme = settings_.theme == Theme::light ? Theme::dark : Theme::light;
       return;
+    case Action::toggle_profile:
+      show_profile_ = !profile_.watched();
+      if (*show_profile_) settings_.layout.pane_shown = true;
+      return;
     case Action::bigger:
       settings_.scale_percent += 25;
       break;

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A full frame (the shadow map and all four views afresh, without a window) beside bare draws of the same triangles in the same
+// run: the map's, and those of world, cube and eye once each, with the simplest shaders, into framebuffers of the same sizes and
+// samples, cleared and resolved alike. One row a scene; frame and bare draws take turns, medians over the iterations. All times
+// wait until everything is drawn. The renderer is named in the context above the rows.
+//   frame_bench [--benchmark_filter=chessboard]
+#include <benchmark/benchmark.h>
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/assets.h"
+#include "app/headless_context.h"
+#include "gl/gl_objects.h"
+#include "gl/gl_state.h"
+#include "gl/pass_timer.h"
+#include "gl/renderer.h"
+#include "gl/view_target.h"
+
+namespace psm {
+namespace {
+
+constexpr glm::ivec2 kSize(640, 360);  // of each view
+constexpr int kIterations = 25;
+
+constexpr const char* kVertex = "layout(location = 0) in vec3 a; uniform mat4 m; void main() { gl_Position = m * vec4(a, 1.0); }";
+constexpr const char* kFragment = "out vec4 o; void main() { o = vec4(0.5, 0.5, 0.5, 1.0); }";
+
+GLuint compiled(GLenum kind, const char* body) {
+  const std::string source =
+      std::string(epoxy_is_desktop_gl() ? "#version 330 core\n" : "#version 300 es\nprecision highp float;\n") + body;
+  const char* text = source.c_str();
+  const GLuint shader = glCreateShader(kind);
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  return shader;
+}
+
+GLuint linked() {
+  const GLuint program = glCreateProgram();
+  glAttachShader(program, compiled(GL_VERTEX_SHADER, kVertex));
+  glAttachShader(program, compiled(GL_FRAGMENT_SHADER, kFragment));
+  glLinkProgram(program);
+  GLint ok = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &ok);
+  if (!ok) gl::fail("frame_bench: the bare shaders do not link");
+  return program;
+}
+
+/// All triangles of the scene in one draw call, as one would write it down.
+class Bare {
+ public:
+  Bare(const Scene& scene, int resolution) : program_(linked()), resolution_(resolution) {
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> indices;
+    for (const Mesh& mesh : scene.meshes) {
+      for (const std::uint32_t i : mesh.triangles) indices.push_back(std::uint32_t(positions.size()) + i);
+      positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
+    }
+    count_ = GLsizei(indices.size());
+    glBindVertexArray(array_.get());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(positions.size() * sizeof(glm::vec3)), positions.data(), GL_STATIC_DRAW);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+    glEnableVertexAttribArray(0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(std::uint32_t)), indices.data(), GL_STATIC_DRAW);
+    glBindVertexArray(0);
+    glBindTexture(GL_TEXTURE_2D, map_.get());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, resolution, resolution, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+    glBindFramebuffer(GL_FRAMEBUFFER, map_framebuffer_.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map_.get(), 0);
+    const GLenum none = GL_NONE;
+    glDrawBuffers(1, &none);
+    multisample_.reserve(kSize);
+    for (gl::ViewTarget& view : views_) view.resize(kSize);
+  }
+  ~Bare() { glDeleteProgram(program_); }
+
+  void draw(const Analysis& analysis, const std::array<ViewPicture, 4>& pictures) {
+    glEnable(GL_DEPTH_TEST);
+    glBindFramebuffer(GL_FRAMEBUFFER, map_framebuffer_.get());
+    glViewport(0, 0, resolution_, resolution_);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    triangles(*analysis.map_from_world);
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+      glBindFramebuffer(GL_FRAMEBUFFER, multisample_.framebuffer());
+      glViewport(0, 0, kSize.x, kSize.y);
+      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+      if (pictures[i].scene != ScenePicture::map_depth) triangles(pictures[i].clip_from_world);
+      views_[i].resolve_from(multisample_);
+    }
+  }
+
+ private:
+  void triangles(const glm::dmat4& clip_from_world) const {
+    const auto matrix = gl::narrow(clip_from_world);
+    if (!matrix) return;
+    glUseProgram(program_);
+    glUniformMatrix4fv(glGetUniformLocation(program_, "m"), 1, GL_FALSE, &(*matrix)[0][0]);
+    glBindVertexArray(array_.get());
+    glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
+  }
+
+  GLuint program_;
+  int resolution_;
+  GLsizei count_ = 0;
+  gl::VertexArray array_;
+  gl::Buffer vertices_, indices_;
+  gl::GlTexture map_;
+  gl::Framebuffer map_framebuffer_;
+  gl::MultisampleTarget multisample_;
+  std::array<gl::ViewTarget, 4> views_;
+};
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+/// Milliseconds by the wall clock of each part, one entry an iteration.
+using Times = std::array<std::vector<double>, 7>;
+constexpr std::array<const char*, 7> kParts{"map", "world", "cube", "mapview", "eye", "frame", "bare"};
+
+std::array<ViewPicture, 4> described(const Analysis& analysis, const Scene& scene) {
+  std::array<ViewPicture, 4> pictures;
+  for (ViewId id : kAllViews) pictures[std::size_t(id)] = describe_view(id, analysis, scene, kSize);
+  return pictures;
+}
+
+double frame(Renderer& renderer, const Analysis& analysis, const Scene& scene, const PassTimer& timer) {
+  return timer
+             .time([&] {
+               renderer.draw_shadow_map(analysis);
+               for (ViewId id : kAllViews)
+                 renderer.draw_view(describe_view(id, analysis, scene, kSize), analysis, kSize, 1.0, Theme::light);
+             })
+             .wall *
+         1e3;
+}
+
+/// Each part by itself, waited for: more than their share of a frame in which they overlap.
+void time_parts(Renderer& renderer, const Analysis& analysis, const Scene& scene, const PassTimer& timer, Times& times) {
+  times[0].push_back(timer.time([&] { renderer.draw_shadow_map(analysis); }).wall * 1e3);
+  for (ViewId id : kAllViews) {
+    const auto view = [&] { renderer.draw_view(describe_view(id, analysis, scene, kSize), analysis, kSize, 1.0, Theme::light); };
+    times[1 + std::size_t(id)].push_back(timer.time(view).wall * 1e3);
+  }
+}
+
+void four_views(benchmark::State& state, const std::string& id) {
+  const Scene scene = *builtin_scene(id);
+  Experiment x;
+  if (scene.camera) x.camera = *scene.camera;
+  if (scene.light) x.light = *scene.light;
+  const Analysis analysis = analyze(x, scene);
+  if (!analysis.map_from_world) return state.SkipWithError("needs six maps");
+  Renderer renderer(assets_folder(), font_file());
+  renderer.set_scene(scene);
+  Bare bare(scene, x.shadow.resolution);
+  const PassTimer timer;
+  const auto pictures = described(analysis, scene);
+  frame(renderer, analysis, scene, timer);  // shaders compile, glyphs are drawn
+  Times times;
+  for (auto _ : state) {
+    times[5].push_back(frame(renderer, analysis, scene, timer));
+    gl::reset_state();
+    times[6].push_back(timer.time([&] { bare.draw(analysis, pictures); }).wall * 1e3);
+    gl::reset_state();
+    time_parts(renderer, analysis, scene, timer, times);
+    state.SetIterationTime(times[5].back() * 1e-3);
+  }
+  for (std::size_t i = 0; i < kParts.size(); ++i) state.counters[kParts[i]] = median(times[i]);
+  state.counters["ratio"] = median(times[5]) / median(times[6]);
+}
+
+}  // namespace
+}  // namespace psm
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  const auto context = psm::HeadlessContext::create();
+  if (!context) psm::gl::fail(context.error().text);
+  benchmark::AddCustomContext("renderer", psm::gl_renderer_name());
+  for (const std::string& id : psm::builtin_scene_ids())
+    benchmark::RegisterBenchmark(id.c_str(), [id](benchmark::State& state) { psm::four_views(state, id); })
+        ->Iterations(psm::kIterations)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
