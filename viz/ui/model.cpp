@@ -45,7 +45,8 @@ bool same_answer(const Analysis& a, const Analysis& b) {
   return a.map_from_world == b.map_from_world && a.map_beyond_from_world == b.map_beyond_from_world &&
          a.cube_maps_from_world == b.cube_maps_from_world && a.vanishing_plane == b.vanishing_plane && a.near == b.near &&
          a.far == b.far && a.rho == b.rho && a.technique_used == b.technique_used && a.camera_shift == b.camera_shift &&
-         a.notes == b.notes && a.worse_than_uniform == b.worse_than_uniform && a.fitted_body.vertices == b.fitted_body.vertices && a.texels == b.texels;
+         a.notes == b.notes && a.worse_than_uniform == b.worse_than_uniform && a.fitted_body.vertices == b.fitted_body.vertices &&
+         a.texels == b.texels;
 }
 
 }  // namespace
@@ -76,8 +77,8 @@ void Model::analyze_now() {
 Analysis Model::analyzed() {
   const auto start = Clock::now();
   const bool known = points_sight_ && points_sight_->scene == scene_revision_;
-  const std::vector<SurfacePoint> older = known && points_sight_ != sight() ? in_frustum(points_, loaded_.experiment)
-                                                                            : std::vector<SurfacePoint>();
+  const std::vector<SurfacePoint> older =
+      known && points_sight_ != sight() ? in_frustum(points_, loaded_.experiment) : std::vector<SurfacePoint>();
   const std::vector<SurfacePoint>& visible = points_sight_ == sight() ? points_ : older;
   Analysis out = analyze(loaded_.experiment, loaded_.scene, visible);
   out.texels = texel_statistics(visible, out);

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 #include "scene/eye_and_light.h"
@@ -29,41 +29,31 @@ std::optional<double> texel_size(const Model& model, Focus focus, NearFit near_f
   return texel_percentile(points, *a.map_from_world, a, 0.95);
 }
 
-void right_aligned(const std::string& text) {
-  const float spare = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, spare));
-  ImGui::TextUnformatted(text.c_str());
+/// The last two columns, from the right.
+void times_of_row(const std::string& cpu, const std::string& gpu) {
+  const float right = ImGui::GetContentRegionMax().x, column = ImGui::CalcTextSize("CPU ms").x + 0.7f * ImGui::GetFontSize();
+  const auto put = [&](const std::string& text, float end) {
+    ImGui::SameLine(end - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextUnformatted(text.c_str());
+  };
+  put(cpu, right - column);
+  put(gpu, right);
 }
 
-/// Name and, where it did not run, the reason under it; the times, or dashes.
-void stage_row(const Profile& profile, Stage stage) {
-  const StageRun& run = profile.busy()[std::size_t(stage)];
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  if (run.ran)
-    ImGui::TextUnformatted(name_of(stage));
-  else
-    ImGui::TextDisabled("%s", name_of(stage));
-  if (!run.ran) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    ImGui::TextWrapped("skipped: %s", run.why.c_str());
-    ImGui::PopStyleColor();
+void stage_rows(const Profile& profile) {
+  ImGui::TextDisabled("stage");
+  times_of_row("CPU ms", "GPU ms");
+  for (std::size_t i = 0; i < kStages; ++i) {
+    const StageRun& run = profile.busy()[i];
+    if (run.ran) {
+      ImGui::TextUnformatted(name_of(Stage(i)));
+      times_of_row(milliseconds(run.cpu_ms), milliseconds(profile.gpu_ms(Stage(i))));
+    } else {
+      ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+      ImGui::TextWrapped("%s: not run, %s", name_of(Stage(i)), run.why.c_str());
+      ImGui::PopStyleColor();
+    }
   }
-  ImGui::TableNextColumn();
-  right_aligned(run.ran ? milliseconds(run.cpu_ms) : "—");
-  ImGui::TableNextColumn();
-  right_aligned(run.ran ? milliseconds(profile.gpu_ms(stage)) : "—");
-}
-
-void stage_table(const Profile& profile) {
-  if (!ImGui::BeginTable("profile", 3, ImGuiTableFlags_RowBg)) return;
-  const float column = ImGui::CalcTextSize("00.00 ms").x;
-  ImGui::TableSetupColumn("stage", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("CPU ms", ImGuiTableColumnFlags_WidthFixed, column);
-  ImGui::TableSetupColumn("GPU ms", ImGuiTableColumnFlags_WidthFixed, column);
-  ImGui::TableHeadersRow();
-  for (std::size_t i = 0; i < kStages; ++i) stage_row(profile, Stage(i));
-  ImGui::EndTable();
 }
 
 void points_text(const Model& model, const DepthReadback& readback, const std::optional<FitGain>& gain) {
@@ -97,6 +87,12 @@ std::optional<FitGain> fit_gain(const Model& model) {
   return gain;
 }
 
+void ProfilePanel::update_gain(const Model& model, Profile& profile) {
+  const auto start = std::chrono::steady_clock::now();
+  gain_ = fit_gain(model);
+  profile.ran(Stage::gain, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+}
+
 void ProfilePanel::draw(UiContext& ui, Profile& profile, const DepthReadback& readback, std::optional<bool> show) {
   if (show) ImGui::SetNextItemOpen(*show);
   const bool open = ImGui::CollapsingHeader("profile");
@@ -110,8 +106,9 @@ void ProfilePanel::draw(UiContext& ui, Profile& profile, const DepthReadback& re
   else
     ImGui::TextWrapped("The last frame that computed anything; the %llu since then only drew the interface:",
                        static_cast<unsigned long long>(since));
-  stage_table(profile);
-  if (gain_of_ != ui.model.analysis_revision()) profile.run(Stage::gain, [&] { gain_ = fit_gain(ui.model); });
+  stage_rows(profile);
+  ImGui::Spacing();
+  if (gain_of_ != ui.model.analysis_revision()) update_gain(ui.model, profile);
   gain_of_ = ui.model.analysis_revision();
   points_text(ui.model, readback, gain_);
 }

@@ -27,6 +27,8 @@ class ProfilePanel {
   void draw(UiContext& ui, Profile& profile, const DepthReadback& readback, std::optional<bool> show);
 
  private:
+  void update_gain(const Model& model, Profile& profile);
+
   std::uint64_t gain_of_ = 0;  // analysis
   std::optional<FitGain> gain_;
 };
