@@ -107,7 +107,12 @@ int measure_hard_cases_only(const MeasureArguments& arguments) {
 
 int measure(const MeasureArguments& arguments) {
   if (arguments.csv && arguments.json) return bad_input({"--csv, --json: both were given; allowed: one of them"});
-  return arguments.hard_cases ? measure_hard_cases_only(arguments) : measure_runs(arguments);
+  if (!arguments.hard_cases) return measure_runs(arguments);
+  const ExperimentArguments& experiment = arguments.experiment;
+  if (experiment.source || !experiment.overrides.empty() || arguments.techniques || arguments.resolutions ||
+      arguments.theta_deg || arguments.far || arguments.equal_error)
+    return bad_input({"--hard-cases: together with an experiment or a sweep; allowed: alone, or with --csv or --json"});
+  return measure_hard_cases_only(arguments);
 }
 
 }  // namespace psm

@@ -51,7 +51,7 @@ std::optional<InputError> make_folders(const std::string& out) {
 std::optional<InputError> check_study(const std::vector<StudyRow>& rows, const std::string& out, const std::string& fingerprint) {
   if (rows.empty() || rows[0].study == fingerprint) return std::nullopt;
   return InputError{"--out: " + quoted_argument(out) + " holds rows of another study (" + rows[0].study + ", not " + fingerprint +
-                    "); allowed: a folder without rows, or the same command and version again"};
+                    "); allowed: a folder without rows, or the same command with the same build again"};
 }
 
 /// Measures what is missing of this shard. False where the user interrupted it.

@@ -68,7 +68,7 @@ void set_experiment(StudyRow& row, const Study& study, const StudyRun& run, cons
   row.technique = name_of(run.technique);
   row.resolution = run.resolution;
   row.theta_deg = run.theta_deg.value_or(kNone);
-  row.width = x.image.width, row.height = x.image.height;
+  row.width = x.image.width, row.height = x.image.height, row.camera_far = x.camera.far;
   row.technique_used = name_of(a.technique_used);
   for (const Note& note : a.notes) row.notes += (row.notes.empty() ? "" : " ") + note.code;
 }
@@ -91,7 +91,7 @@ void set_texels(StudyRow& row, const std::optional<TexelStatistics>& texels) {
 void set_errors(StudyRow& row, const ShadowError& error) {
   const auto cause = [&](ErrorCause c) { return double(error.by_cause[std::size_t(c)]); };
   row.compared = double(error.compared);
-  row.error_fraction = error.fraction();
+  row.error_fraction = error.compared > 0 ? error.fraction() : kNone;
   row.wrongly_lit = double(error.wrongly_lit), row.wrongly_dark = double(error.wrongly_dark);
   row.outside = cause(ErrorCause::outside), row.by_resolution = cause(ErrorCause::resolution);
   row.acne = cause(ErrorCause::acne), row.leak = cause(ErrorCause::leak);

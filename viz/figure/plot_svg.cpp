@@ -170,6 +170,7 @@ struct Label {
   std::string text, color;
   dvec2 end;  // of what it names
   double y;
+  std::string dash = "";
 };
 
 /// In the order of the curves' ends, at least a line apart, as close to the ends as that allows.
@@ -185,16 +186,17 @@ std::string labels_svg(const Plot& plot, const Frame& frame) {
   for (const PlotCurve& curve : plot.curves) {
     const auto parts = stretches(curve, frame);
     if (curve.label.empty() || parts.empty()) continue;
-    labels.push_back({curve.label, color_text(curve.color), parts.back().back(), parts.back().back().y});
+    labels.push_back({curve.label, color_text(curve.color), parts.back().back(), parts.back().back().y, curve.dash});
   }
   for (const PlotLevel& level : plot.levels)
-    labels.push_back({level.label, "#222222", {kPlotRight - 7, frame.y.at(level.y)}, frame.y.at(level.y)});
+    labels.push_back({level.label, "#222222", {kPlotRight - 7, frame.y.at(level.y)}, frame.y.at(level.y), "2 5"});
   spread(labels);
   std::string svg;
   for (const Label& label : labels) {
     const dvec2 at{kPlotRight + 40, label.y};
     svg += line(label.end + dvec2(7, 0), at - dvec2(6, 0),
-                "stroke=\"" + label.color + "\" stroke-width=\"1.2\" stroke-dasharray=\"2 3\"");
+                "stroke=\"" + label.color + "\" stroke-width=\"1.2\"" +
+                    (label.dash.empty() ? "" : " stroke-dasharray=\"" + label.dash + "\""));
     svg += text_at(at.x, at.y + 0.35 * kType, label.text, "font-weight=\"bold\" fill=\"" + label.color + "\"");
   }
   return svg;

@@ -106,8 +106,8 @@ Plot texel_size_plot(const std::vector<StudyRow>& slab) {
 Plot closed_form_plot(const std::vector<ClosedFormRow>& rows, const ClosedFormSetting& setting) {
   Plot plot;
   plot.title = "Largest error on the central line: closed forms and maps";
-  plot.subtitle = "lines: closed forms (psm: its maps); dots: measured in the maps; n = " + shown(setting.near) +
-                  ", f = " + shown(setting.far) + ", phi = " + angle(setting.phi_deg) + ", receivers fill the frustum";
+  plot.subtitle = "lines: closed forms (psm: its maps); dots: maps; n = " + shown(setting.near) + ", f = " + shown(setting.far) +
+                  ", phi = " + angle(setting.phi_deg);
   plot.x = {"angle between view and light (degrees)", false, {0, 15, 30, 45, 60, 75, 90}};
   plot.y = {"E = F sin(theta)", true, {}};
   PlotCurve bound;

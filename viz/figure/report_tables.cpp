@@ -121,13 +121,13 @@ HtmlTable equal_error_table(const std::vector<StudyRow>& rows) {
   const double resolution = reference_resolution(asked);
   const std::vector<double> angles = values_in(asked, &StudyRow::theta_deg);
   HtmlTable table;
-  table.caption = "Equal-error resolution: the smallest uniform map with no larger error than the technique's of " +
-                  texels(resolution) +
-                  ", found by bisection (to a 64th; errors jump a little with where texels lie, so that uniform itself is not "
-                  "exactly 1), and how "
-                  "many times larger its side is; none: not even the "
-                  "largest uniform map tried. Columns: angle between view and light, above 90\u00b0 behind; " +
-                  conditions(rows) + "." + kStar;
+  table.caption =
+      "Equal-error resolution: the smallest uniform map with no larger error than the technique's of " + texels(resolution) +
+      ", down from the largest map and then by bisection (errors jump with where texels lie, so that uniform itself is not "
+      "exactly 1), and how "
+      "many times larger its side is; none: not even the "
+      "largest uniform map tried. Columns: angle between view and light, above 90\u00b0 behind; " +
+      conditions(rows) + "." + kStar;
   table.head = angle_head("technique", angles);
   fill_over_angles(table, asked, resolution, angles, equal_error_text);
   return table;
@@ -138,9 +138,11 @@ HtmlTable best_plane_table(const std::vector<StudyRow>& rows) {
   const std::vector<double> angles = values_in(rows, &StudyRow::theta_deg);
   HtmlTable table;
   table.caption =
-      "How far from the best single vanishing plane: 95th percentile of m over that of best_plane (1: as good), map " +
+      "How far from the best single vanishing plane that a search over a coarse grid of visible points finds: 95th percentile of "
+      "m, over all pixels, divided by "
+      "that of best_plane (1: as good), map " +
       texels(resolution) +
-      "; below 1: better at this percentile than the plane that the search found. In best_plane's line its own m in pixels. " +
+      "; below 1: over all pixels better than the plane that is best on the grid. In best_plane's line its own m in pixels. " +
       "Columns: angle between view and light, above 90\u00b0 behind." + kStar;
   table.head = angle_head("technique", angles);
   const auto best = [&](double theta) { return find_row(rows, "best_plane", resolution, theta); };

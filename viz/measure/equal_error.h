@@ -12,9 +12,9 @@ struct ResolutionRange {
   double step = 1.0 / 64;  // the answer is this close, relatively; 0: to the texel
 };
 
-/// By bisection: the end of an interval at whose upper end the error is at most `target`, and at whose lower end it is not. That
-/// is the smallest such resolution where the error falls with resolution; it does so but for the noise of where texels lie.
-/// Nothing where the largest map's error is still larger.
+/// Down from the largest map by halves to the first whose error is larger than `target`, then by bisection: the smallest
+/// resolution, up to the noise of where texels lie, above which no map that was tried is worse. From below it would not do: a map
+/// too small to hold a shadow at all can be right by accident. Nothing where the largest map's error is still larger.
 std::optional<int> equal_error_resolution(const std::function<double(int)>& error_at, double target,
                                           const ResolutionRange& range = {});
 

@@ -14,13 +14,6 @@
 namespace psm {
 namespace {
 
-/// More than rounding can account for: a light in the surface's own plane lights neither side.
-bool faces(const SurfacePoint& p, const glm::dvec4& light) {
-  const glm::dvec3 from = light.w * p.position;
-  const double rounding = 16 * epsilon<double>() * (glm::length(glm::dvec3(light)) + glm::length(from));
-  return glm::dot(p.normal, glm::dvec3(light) - from) > rounding;
-}
-
 /// A spot's cone, or all of space. `tangent`: of half the cone's angle, which is below 90 degrees.
 bool in_cone(const LightSettings& light, double tangent, const glm::dvec3& position) {
   if (light.type != LightType::spot) return true;
@@ -29,7 +22,7 @@ bool in_cone(const LightSettings& light, double tangent, const glm::dvec3& posit
 }
 
 bool in_light(const SurfacePoint& p, const glm::dvec4& light, const Experiment& x, double tangent) {
-  return faces(p, light) && in_cone(x.light, tangent, p.position);
+  return faces_light(p.position, p.normal, light) && in_cone(x.light, tangent, p.position);
 }
 
 double cone_tangent(const Experiment& x) { return std::tan(x.light.cone_deg * kRadiansPerDegree / 2); }

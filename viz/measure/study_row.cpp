@@ -28,6 +28,7 @@ std::vector<StudyColumn> make_columns() {
           {"height", &Row::height, "height of the image, pixels"},
           {"technique_used", &Row::technique_used, "technique that was used in the end"},
           {"notes", &Row::notes, "codes of what the analysis had to say"},
+          {"camera_far", &Row::camera_far, "the camera's far distance, scene units"},
           {"near", &Row::near, "n: depth of the nearest receiver, scene units"},
           {"far", &Row::far, "f: depth of the farthest receiver, scene units"},
           {"phi_deg", &Row::phi_deg, "half the opening angle in the plane of view and light, degrees"},

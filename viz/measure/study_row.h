@@ -23,7 +23,7 @@ struct StudyRow {
 
   // Under which conditions.
   std::string scene, technique;
-  double resolution = kNone, theta_deg = kNone, width = kNone, height = kNone;
+  double resolution = kNone, theta_deg = kNone, width = kNone, height = kNone, camera_far = kNone;
 
   // What the technique did: n, f, phi, rho as in Analysis; codes of the notes, separated by blanks.
   std::string technique_used, notes;

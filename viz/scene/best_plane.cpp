@@ -138,7 +138,8 @@ dvec4 best_plane(Stages& s, Analysis& a, std::span<const dvec3> receivers) {
     if (refined.cost < best.cost) best = refined;
   }
   note(a, "best_plane_found",
-       "Smallest 95th percentile of m that the search over planes found, in pixels; limit: the best of the other techniques.",
+       "Smallest 95th percentile of m, in pixels, that the search over planes found on the " + std::to_string(f.points.size()) +
+           " points it was given; limit: the best of the other techniques there.",
        best.cost, starts.front().cost);
   return f.plane(best.at);
 }

@@ -19,4 +19,12 @@ inline glm::dvec4 homogeneous_light(const LightSettings& light) {
   return light.type == LightType::directional ? glm::dvec4(light.to_light, 0) : glm::dvec4(light.position, 1);
 }
 
+/// Whether a surface with this unit normal sees the light, by more than vertices in float can account for: a light in the
+/// surface's own plane lights neither side.
+inline bool faces_light(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec4& light) {
+  const glm::dvec3 from = light.w * position, to_light = glm::dvec3(light) - from;
+  const double rounding = 16 * epsilon<double>() * (glm::length(glm::dvec3(light)) + glm::length(from));
+  return glm::dot(normal, to_light) > rounding + 1e-7 * glm::length(to_light);
+}
+
 }  // namespace psm

@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/eye_and_light.h"
 #include "scene/texel_sampling.h"
 
 namespace psm {
 namespace {
 
 using glm::dvec3, glm::dvec4;
-
-dvec3 to_light(const dvec4& light, const dvec3& p) { return dvec3(light) - light.w * p; }
-
-bool faces(const SurfacePoint& p, const dvec4& light) { return glm::dot(p.normal, to_light(light, p.position)) > 0; }
 
 bool in_light(const SurfacePoint& p, const ConvexBody& receivers) {
   return std::all_of(receivers.planes.begin(), receivers.planes.end(),
@@ -42,7 +39,7 @@ std::vector<SurfacePoint> points_to_serve(std::span<const SurfacePoint> visible,
                                           const ConvexBody& receivers) {
   std::vector<SurfacePoint> out;
   for (const SurfacePoint& p : visible)
-    if (faces(p, light) && in_light(p, receivers)) out.push_back(p);
+    if (faces_light(p.position, p.normal, light) && in_light(p, receivers)) out.push_back(p);
   return out;
 }
 
@@ -70,7 +67,9 @@ std::vector<SurfacePoint> face_points(const ViewFrame& view, const Analysis& ana
     const dvec3 along = view.at((2.0 * (i % kVisibleColumns) + 1) / kVisibleColumns - 1,
                                 (2.0 * (i / kVisibleColumns) + 1) / kVisibleRows - 1, 1) -
                         view.eye;
-    if (const auto p = far_side(analysis.receivers_body, view.eye, along); p && faces(*p, analysis.light)) points.push_back(*p);
+    if (const auto p = far_side(analysis.receivers_body, view.eye, along);
+        p && faces_light(p->position, p->normal, analysis.light))
+      points.push_back(*p);
   }
   return points;
 }
