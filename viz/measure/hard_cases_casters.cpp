@@ -28,20 +28,17 @@ void add_casters_behind_the_eye(Rows& rows) {
     const auto p = map_points<T>(psm_builder(s), s, {receiver, behind});
     return p[1].z - p[0].z;
   });
-  rows.map_at_most(25, "caster 16 behind the eye", "its (u, v) less its receiver's, texels", kDoubleTexels, kVisibleTexels,
-                   [=](auto t, FloatPath path) {
-                     using T = decltype(t);
-                     const auto p = map_points<T>(psm_builder(s), s, {receiver, behind}, path);
-                     const double d = texel_distance<T, T>({p[0]}, {p[1]});
-                     return answer(d, d);
-                   });
-  rows.map_at_most(26, "vertex of H with w = 0", "its (u, v) less its receiver's, texels", kDoubleTexels, kVisibleTexels,
-                   [=](auto t, FloatPath path) {
-                     using T = decltype(t);
-                     const auto p = map_points<T>(psm_builder(s), s, {receiver, in_plane}, path);
-                     const double d = texel_distance<T, T>({p[0]}, {p[1]});
-                     return answer(d, d);
-                   });
+  const auto at_its_receiver = [&](int number, const char* name, const dvec3& caster) {
+    rows.map_at_most(number, name, "its (u, v) less its receiver's, texels", kDoubleTexels, kVisibleTexels,
+                     [=](auto t, FloatPath path) {
+                       using T = decltype(t);
+                       const auto p = map_points<T>(psm_builder(s), s, {receiver, caster}, path);
+                       const double d = texel_distance<T, T>({p[0]}, {p[1]});
+                       return answer(d, d);
+                     });
+  };
+  at_its_receiver(25, "caster 16 behind the eye", behind);
+  at_its_receiver(26, "vertex of H with w = 0", in_plane);
   Rows::naive(
       rows.at_most(26, "vertex of H with w = 0", "coordinates in the cube, divided by w, that are not finite", 0, 0, [=](auto t) {
         using T = decltype(t);
