@@ -13,7 +13,8 @@
 #include "app/render.h"
 #include "app/window.h"
 #include "figure/png.h"
-#include "measure/shadow_error.h"
+#include "measure/texel_analysis.h"
+#include "measure/visible_image.h"
 #include "scene/analysis.h"
 #include "scene/experiment_file.h"
 
@@ -111,41 +112,6 @@ InputError too_many_rays(const ImageSettings& image) {
           " pixels; allowed: up to " + std::to_string(kMostPixels) + " pixels"};
 }
 
-/// What the eye sees is traced, once coarsely for the analysis itself and once at every pixel for the statistics.
-/// What analyze() estimates from a coarse grid, decided by all pixels.
-void compare_with_uniform(Analysis& analysis, double p95_of_uniform) {
-  const auto estimate = [](const Note& n) { return n.code == "worse_than_uniform_texels"; };
-  auto& notes = analysis.notes;
-  notes.erase(std::remove_if(notes.begin(), notes.end(), estimate), notes.end());
-  const bool in_model = std::any_of(notes.begin(), notes.end(), [](const Note& n) { return n.code == "worse_than_uniform"; });
-  const bool worse = analysis.texels->m_p95 > p95_of_uniform * (1 + 1e-9);
-  analysis.worse_than_uniform = worse || in_model;
-  if (worse)
-    notes.push_back({"worse_than_uniform_texels",
-                     "Worse than the uniform map: 95th percentile of the texel size m in pixels, over all visible pixels that "
-                     "face the light.",
-                     analysis.texels->m_p95, p95_of_uniform});
-}
-
-Analysis analyze_with_texels(const LoadedExperiment& loaded) {
-  const RayTracer tracer(loaded.scene);
-  Analysis analysis = analyze(loaded.experiment, loaded.scene, tracer);
-  const ImageSettings& size = loaded.experiment.image;
-  const VisibleImage image = see(tracer, loaded.experiment, size.width, size.height);
-  const std::vector<Lit> truth = trace_light(tracer, image, loaded.experiment);
-  analysis.texels = texel_statistics(texel_sizes(image, truth, analysis));
-  if (!analysis.texels)
-    analysis.notes.push_back(
-        {"texels_none", "No pixel shows a surface that faces the light: there are no texel sizes.", std::nullopt, std::nullopt});
-  else if (analysis.technique_used != Technique::uniform) {
-    Experiment uniform = loaded.experiment;
-    uniform.shadow.technique = Technique::uniform;
-    const auto texels = texel_statistics(texel_sizes(image, truth, analyze(uniform, loaded.scene, tracer)));
-    compare_with_uniform(analysis, texels->m_p95);
-  }
-  return analysis;
-}
-
 }  // namespace
 
 int bad_input(const InputError& error) {
@@ -195,8 +161,8 @@ int print_analysis(const ExperimentArguments& arguments, bool texels) {
   const auto loaded = load(arguments);
   if (!loaded) return bad_input(loaded.error());
   if (texels && !rays_fit(loaded->experiment.image)) return bad_input(too_many_rays(loaded->experiment.image));
-  const Analysis analysis =
-      texels ? analyze_with_texels(*loaded) : analyze(loaded->experiment, loaded->scene, RayTracer(loaded->scene));
+  const Analysis analysis = texels ? analyze_with_texels(loaded->experiment, loaded->scene)
+                                   : analyze(loaded->experiment, loaded->scene, RayTracer(loaded->scene));
   return finish_printing(print(analysis_to_json(analysis, loaded->scene)));
 }
 

@@ -316,8 +316,12 @@ TEST(LightCaseText, SaysCaseAndDecidingNumber) {
   a.light_case.post = PostLight::inverted_point;
   a.light_case.w = -0.12;
   a.light_case.reversed_order = true;
-  EXPECT_EQ(light_case_text(a), "inverted point light  w = -0.12 < 0  naive depth order reversed");
+  EXPECT_EQ(light_case_text(a), "directional light \u2192 inverted point light  w = -0.12 < 0  naive depth order reversed");
+  a.light_case.post = PostLight::directional;
+  a.experiment.light.type = LightType::point;
+  EXPECT_EQ(light_case_text(a), "point light \u2192 directional light  w = 0  naive depth order reversed");
   a.light_case = {};
+  a.experiment.light.type = LightType::directional;
   EXPECT_EQ(light_case_text(a), "directional light  w = 0  naive depth order kept");
   a.light_case.post = PostLight::point;
   a.light_case.w = 0.0004;

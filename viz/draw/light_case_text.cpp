@@ -13,15 +13,17 @@ std::string half_texel_text(const LightCase& c, int resolution) {
 
 std::string order_text(const LightCase& c) { return c.reversed_order ? "naive depth order reversed" : "naive depth order kept"; }
 
-std::string post_text(const LightCase& c) {
+/// What the light is in the world and, where that differs, what it is after projection.
+std::string post_text(const LightCase& c, LightType world) {
+  const bool sun = world == LightType::directional;
   const std::string w = short_number(c.w, 2);
   switch (c.post) {
     case PostLight::directional:
-      return "directional light  w = 0";
+      return std::string(sun ? "" : "point light \u2192 ") + "directional light  w = 0";
     case PostLight::point:
-      return "point light  w = " + w + " > 0";
+      return std::string(sun ? "directional light \u2192 " : "") + "point light  w = " + w + " > 0";
     case PostLight::inverted_point:
-      return "inverted point light  w = " + w + " < 0";
+      return std::string(sun ? "directional light \u2192 " : "point light \u2192 ") + "inverted point light  w = " + w + " < 0";
   }
   return {};
 }
@@ -31,8 +33,8 @@ std::string post_text(const LightCase& c) {
 std::string light_case_text(const Analysis& analysis) {
   const LightCase& c = analysis.light_case;
   const bool nearly_directional = c.within_half_texel && c.post != PostLight::directional;
-  std::string text =
-      nearly_directional ? half_texel_text(c, analysis.experiment.shadow.resolution) : post_text(c) + "  " + order_text(c);
+  std::string text = nearly_directional ? half_texel_text(c, analysis.experiment.shadow.resolution)
+                                        : post_text(c, analysis.experiment.light.type) + "  " + order_text(c);
   if (c.inside_receivers) text += "  light inside R: six maps";
   return text;
 }
