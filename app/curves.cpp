@@ -36,23 +36,13 @@ Result<std::vector<double>> theta_list(const std::string& text) {
   return angles;
 }
 
-constexpr Warp kAll[] = {Warp::uniform, Warp::lispsm,    Warp::lispsm_reference, Warp::glpr,
-                         Warp::gmnpr,   Warp::gmnpr_eq4, Warp::minimax,          Warp::minimax_frustum};
-constexpr std::size_t kDefaultCount = 7;  // the whole-frustum minimax is not in the reference table
-
-std::optional<Warp> warp_from_name(const std::string& name) {
-  for (const Warp warp : kAll)
-    if (csv_name(warp) == name) return warp;
-  return std::nullopt;
-}
-
 Result<std::vector<Warp>> parse_techniques(const std::optional<std::string>& names) {
-  if (!names) return std::vector<Warp>(kAll, kAll + kDefaultCount);
+  if (!names) return std::vector<Warp>(kCurveWarps.begin(), kCurveWarps.end() - 1);  // the papers'
   std::vector<Warp> warps;
   for (const std::string& name : split(*names, ',')) {
-    const auto warp = warp_from_name(name);
+    const auto warp = warp_from_csv_name(name);
     std::string allowed = "any of:";
-    for (const Warp w : kAll) allowed += " " + std::string(csv_name(w));
+    for (const Warp w : kCurveWarps) allowed += " " + std::string(csv_name(w));
     if (!warp) return flag_error("--techniques", name, allowed);
     warps.push_back(*warp);
   }
@@ -60,21 +50,11 @@ Result<std::vector<Warp>> parse_techniques(const std::optional<std::string>& nam
 }
 
 std::string csv_row(const Curves& curves, double theta_deg, Warp warp) {
-  const double folded = theta_deg > 90 ? 180 - theta_deg : theta_deg;
-  const auto model = WarpModel<double>::from_degrees(curves.n, curves.f, curves.phi_deg, folded);
-  const auto strength = warp_strength(warp, model);
-  WarpError<double> e;
-  if (strength.exists) {
-    e = warp_error(model, strength.rho, model.tan_phi);
-    if (std::isinf(e.F_min)) e.z_at_min = NAN;  // theta = 0: F is infinite everywhere, and smallest nowhere
-  } else {
-    e.F_near = e.F_far = e.F_max = e.F_min = e.z_at_min = NAN;
-  }
-  const double numbers[] = {strength.lambda(), e.F_near, e.F_far, e.F_max, e.z_at_min, e.F_min};
+  const CurveRow values = curve_row(curves.range, theta_deg, warp);
   std::string row;
-  for (const double x : {curves.n, curves.f, curves.phi_deg, theta_deg}) row += csv_number(x) + ",";
+  for (const double x : {curves.range.n, curves.range.f, curves.range.phi_deg, theta_deg}) row += csv_number(x) + ",";
   row += csv_name(warp);
-  for (const double x : numbers) row += "," + csv_number(x);
+  for (const CurveColumn& column : kCurveColumns) row += "," + csv_number(values.*column.value);
   return row + "\n";
 }
 
@@ -91,7 +71,7 @@ Result<Curves> parse_curves(const CurvesText& text) {
   if (!n || !(*n >= 1e-100 && *n <= 1e100)) return flag_error("--n", text.n, "a number in [1e-100, 1e100]");
   if (!f || !(*f > *n && *f <= 1e100)) return flag_error("--f", text.f, "a number greater than --n, up to 1e100");
   if (!phi || !(*phi > 0 && *phi < 90)) return flag_error("--phi-deg", text.phi_deg, "a number in (0, 90)");
-  curves.n = *n, curves.f = *f, curves.phi_deg = *phi;
+  curves.range = {*n, *f, *phi};
   auto theta = parse_theta_deg(text.theta_deg);
   if (!theta) return theta.error();
   curves.theta_deg = std::move(*theta);
@@ -104,7 +84,9 @@ Result<Curves> parse_curves(const CurvesText& text) {
 }
 
 bool write_curves(const Curves& curves, const std::function<bool(const std::string&)>& write) {
-  if (!write("n,f,phi_deg,theta_deg,technique,lambda,F_n,F_f,F_max,z_at_min,F_min\n")) return false;
+  std::string header = "n,f,phi_deg,theta_deg,technique";
+  for (const CurveColumn& column : kCurveColumns) header += "," + std::string(column.name);
+  if (!write(header + "\n")) return false;
   for (const double theta_deg : curves.theta_deg) {
     std::string rows;
     for (const Warp warp : curves.techniques) rows += csv_row(curves, theta_deg, warp);

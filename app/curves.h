@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "math/warp.h"
+#include "scene/curve_row.h"
 #include "scene/result.h"
 
 namespace psm {
@@ -19,7 +19,7 @@ struct CurvesText {
 };
 
 struct Curves {
-  double n = 1.0, f = 100.0, phi_deg = 30.0;
+  CurveRange range;
   std::vector<double> theta_deg;  // in [0, 180]; above 90 the model is that of 180 - theta
   std::vector<Warp> techniques;
 };
