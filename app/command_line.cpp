@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "app/commands.h"
+#include "app/figure.h"
 #include "app/measure.h"
 #include "app/report.h"
 
@@ -21,8 +22,10 @@ constexpr const char* kExperimentHelp =
 struct Arguments {
   ExperimentArguments experiment;  // of the window and of analyze
   bool texels = false;
+  std::string matrices, convention = "opengl";
   CurvesText curves;
   RenderArguments render;
+  FigureArguments figure;
   std::string scenes_folder;
   MeasureArguments measure;
   ReportArguments report;
@@ -34,6 +37,18 @@ CLI::Option* add_experiment(CLI::App& app, ExperimentArguments& arguments) {
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   return app.add_option("EXPERIMENT", arguments.source, kExperimentHelp)->type_name("");
+}
+
+void add_analyze(CLI::App& app, Arguments& arguments) {
+  add_experiment(app, arguments.experiment);
+  auto* texels = app.add_flag("--texels", arguments.texels, "Asks for the statistics of texels on the image");
+  auto* matrices =
+      app.add_option("--matrices", arguments.matrices, "Prints the matrices instead, ready to paste: glsl, cpp or json")
+          ->type_name("LANGUAGE")
+          ->excludes(texels);
+  app.add_option("--convention", arguments.convention, "Their clip space: opengl, d3d or reversed_z")
+      ->type_name("NAME")
+      ->needs(matrices);
 }
 
 void add_curves(CLI::App& app, CurvesText& curves) {
@@ -50,17 +65,42 @@ void add_curves(CLI::App& app, CurvesText& curves) {
       ->type_name("LIST");
 }
 
+void add_sweep(CLI::App& app, std::optional<std::string>& sweep) {
+  app.add_option(
+         "--sweep", sweep,
+         "Takes a number of the experiment from A to B in COUNT pictures, numbered from NAME_0001, or as a film (.mp4, .gif, "
+         "by ffmpeg): camera.near, light.position.x, light.theta_deg ...")
+      ->type_name("PATH=A:B:COUNT");
+}
+
 void add_render(CLI::App& app, RenderArguments& render) {
   add_experiment(app, render.experiment);
   app.add_option("--view", render.views, "Comma-separated list of " + view_names() + "; without it, all of them")
       ->type_name("LIST");
-  app.add_option("--out", render.out, "The picture to write; several views share it in two columns")
-      ->type_name("FILE.png")
+  app.add_option("--out", render.out, "The picture to write, .png, .svg or .pdf; several views share it in two columns")
+      ->type_name("FILE")
       ->required();
   app.add_option("--size", render.size, "Size of the whole picture in pixels; without it, the experiment's image")
       ->type_name("WxH");
   app.add_option("--scale", render.scale, "Enlarges lines and type, in [0.25, 8]")->type_name("S");
   app.add_option("--theme", render.theme, "light or dark")->type_name("THEME");
+  app.add_flag("--transparent", render.transparent, "Leaves out the background");
+  add_sweep(app, render.sweep);
+}
+
+void add_figure(CLI::App& app, FigureArguments& figure) {
+  app.add_option("ID", figure.id, "A figure's name, or a .figure.json file")->type_name("");
+  app.add_flag("--list", figure.list, "Lists the figures: name, source, what it shows");
+  auto* all = app.add_flag("--all", figure.all, "Writes every figure into the folder that --out names");
+  app.add_option("--out", figure.out, "The picture to write, .png, .svg or .pdf; with --all, the folder")->type_name("FILE");
+  app.add_option("--format", figure.format, "What --all writes: png, svg or pdf")->type_name("ENDING")->needs(all);
+  app.add_option("--size", figure.size, "Size in pixels; lines and type grow with it")->type_name("WxH");
+  app.add_option("--theme", figure.theme, "light or dark")->type_name("THEME");
+  app.add_flag("--transparent", figure.transparent, "Leaves out the background");
+  app.add_option("--set", figure.overrides, "Sets one member in every panel's experiment; may be given again")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  add_sweep(app, figure.sweep);
 }
 
 void add_measure(CLI::App& app, MeasureArguments& measure) {
@@ -110,12 +150,13 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   CLI::Option* window_experiment = add_experiment(app, arguments.experiment);
   CLI::App& analyze = *app.add_subcommand("analyze", "Prints the analysis of an experiment as JSON");
-  add_experiment(analyze, arguments.experiment);
-  analyze.add_flag("--texels", arguments.texels, "Asks for the statistics of texels on the image");
+  add_analyze(analyze, arguments);
   CLI::App& curves = *app.add_subcommand("curves", "Prints the error model as CSV, a row for each angle and technique");
   add_curves(curves, arguments.curves);
-  CLI::App& render = *app.add_subcommand("render", "Writes views as a PNG, without a display");
+  CLI::App& render = *app.add_subcommand("render", "Writes views as a picture, without a display");
   add_render(render, arguments.render);
+  CLI::App& figures = *app.add_subcommand("figure", "Writes figures of the source texts, each from a live experiment");
+  add_figure(figures, arguments.figure);
   CLI::App& measured = *app.add_subcommand("measure", "Measures the error of shadow maps, and what they cost");
   add_measure(measured, arguments.measure);
   CLI::App& reported = *app.add_subcommand("report", "Writes the speed-against-error study: rows, plots, one HTML page");
@@ -139,9 +180,12 @@ int parse_and_run(int argc, char** argv) {
     complain("EXPERIMENT and --set: not before the command's name; allowed: after it");
     return kBadInput;
   }
+  if (analyze.parsed() && analyze.count("--matrices") > 0)
+    return print_matrices(arguments.experiment, arguments.matrices, arguments.convention);
   if (analyze.parsed()) return print_analysis(arguments.experiment, arguments.texels);
   if (curves.parsed()) return print_curves(arguments.curves);
   if (render.parsed()) return render_views(arguments.render);
+  if (figures.parsed()) return figure(arguments.figure);
   if (measured.parsed()) return measure(arguments.measure);
   if (reported.parsed()) return report(arguments.report);
   if (scenes.parsed()) return write->count() > 0 ? write_scenes(arguments.scenes_folder) : list_scenes();

@@ -10,13 +10,14 @@
 #include "app/command_line.h"
 #include "app/headless_context.h"
 #include "app/numbers.h"
+#include "app/picture_file.h"
 #include "app/render.h"
 #include "app/window.h"
-#include "figure/png.h"
 #include "measure/texel_analysis.h"
 #include "measure/visible_image.h"
 #include "scene/analysis.h"
 #include "scene/experiment_file.h"
+#include "scene/matrix_text.h"
 
 namespace psm {
 namespace {
@@ -42,11 +43,8 @@ Result<glm::ivec2> check_size(double width, double height, const std::string& sh
   return glm::ivec2(int(width), int(height));
 }
 
-Result<glm::ivec2> parse_size(const std::optional<std::string>& text, const ImageSettings& image) {
-  if (!text) return check_size(image.width, image.height, std::to_string(image.width) + "x" + std::to_string(image.height));
-  const std::vector<std::string> sides = split(*text, 'x');
-  const auto width = number_from_text(sides[0]), height = number_from_text(sides.back());
-  return check_size(sides.size() == 2 ? width.value_or(0) : 0, height.value_or(0), *text);
+Result<glm::ivec2> size_of(const ImageSettings& image) {
+  return check_size(image.width, image.height, std::to_string(image.width) + "x" + std::to_string(image.height));
 }
 
 Result<RenderRequest> parse_request(const RenderArguments& arguments, const ImageSettings& image) {
@@ -54,7 +52,7 @@ Result<RenderRequest> parse_request(const RenderArguments& arguments, const Imag
   auto views = parse_views(arguments.views);
   if (!views) return views.error();
   request.views = *views;
-  const auto size = parse_size(arguments.size, image);
+  const auto size = arguments.size ? parse_size(*arguments.size) : size_of(image);
   if (!size) return size.error();
   request.size = *size;
   const auto scale = number_from_text(arguments.scale);
@@ -62,26 +60,18 @@ Result<RenderRequest> parse_request(const RenderArguments& arguments, const Imag
   request.scale = *scale;
   if (arguments.theme != "light" && arguments.theme != "dark") return flag_error("--theme", arguments.theme, "light or dark");
   request.theme = arguments.theme == "dark" ? Theme::dark : Theme::light;
+  request.transparent = arguments.transparent;
   return request;
 }
 
-/// What is wrong with it as a target for a PNG, before anything is drawn.
-std::optional<InputError> check_png_name(const std::string& out) {
-  const fs::path path = out;
-  if (path.extension() != ".png" || path.stem().empty()) return flag_error("--out", out, "the name of a .png file");
-  std::error_code error;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (!fs::is_directory(folder, error)) return flag_error("--out", out, "a .png file in an existing folder");
-  return std::nullopt;
-}
-
-int draw_to_file(const LoadedExperiment& loaded, const RenderRequest& request, const fs::path& out) {
+int draw_to_file(const LoadedExperiment& loaded, const RenderRequest& request, const std::optional<PictureSweep>& sweep,
+                 const fs::path& out) {
   const auto layout = lay_out(request);
   if (!layout) return bad_input(layout.error());
   const auto context = HeadlessContext::create();
   if (!context) return other_failure(context.error());
-  const Image image = draw_views(loaded, request, *layout);
-  const auto error = write_png(out, image.width, image.height, image.rgba);
+  SheetPainter painter;
+  const auto error = write_pictures(painter, sheet_of(loaded, request, *layout), sweep, out);
   return error ? bad_input(*error) : kDone;
 }
 
@@ -101,7 +91,7 @@ int draw_without_display(const LoadedExperiment& loaded) {
   request.views.assign(std::begin(kAllViews), std::end(kAllViews));
   request.size = {1920, 1080};
   const fs::path out = place_for_views();
-  const int code = draw_to_file(loaded, request, out);
+  const int code = draw_to_file(loaded, request, std::nullopt, out);
   return code == kDone ? finish_printing(print(out.string() + "\n")) : code;
 }
 
@@ -127,6 +117,12 @@ int other_failure(const InputError& error) {
 int finish_printing(bool printed) {
   if (printed && std::fflush(stdout) == 0) return kDone;
   return other_failure({std::string("standard output: cannot be written: ") + std::strerror(errno ? errno : EIO)});
+}
+
+Result<glm::ivec2> parse_size(const std::string& text) {
+  const std::vector<std::string> sides = split(text, 'x');
+  const auto width = number_from_text(sides[0]), height = number_from_text(sides.back());
+  return check_size(sides.size() == 2 ? width.value_or(0) : 0, height.value_or(0), text);
 }
 
 Result<LoadedExperiment> load(const ExperimentArguments& arguments) {
@@ -166,6 +162,17 @@ int print_analysis(const ExperimentArguments& arguments, bool texels) {
   return finish_printing(print(analysis_to_json(analysis, loaded->scene)));
 }
 
+int print_matrices(const ExperimentArguments& arguments, const std::string& language, const std::string& convention) {
+  const auto language_used = matrix_language_from_name(language);
+  if (!language_used) return bad_input(flag_error("--matrices", language, "glsl, cpp or json"));
+  const auto convention_used = clip_convention_from_name(convention);
+  if (!convention_used) return bad_input(flag_error("--convention", convention, "opengl, d3d or reversed_z"));
+  const auto loaded = load(arguments);
+  if (!loaded) return bad_input(loaded.error());
+  const Analysis analysis = analyze(loaded->experiment, loaded->scene, RayTracer(loaded->scene));
+  return finish_printing(print(matrices_text(analysis, *language_used, *convention_used)));
+}
+
 int print_curves(const CurvesText& text) {
   const auto curves = parse_curves(text);
   if (!curves) return bad_input(curves.error());
@@ -173,12 +180,14 @@ int print_curves(const CurvesText& text) {
 }
 
 int render_views(const RenderArguments& arguments) {
-  if (auto error = check_png_name(arguments.out)) return bad_input(*error);
+  const auto sweep = parse_sweep(arguments.sweep);
+  if (!sweep) return bad_input(sweep.error());
+  if (auto error = check_picture_name(arguments.out, sweep->has_value())) return bad_input(*error);
   const auto loaded = load(arguments.experiment);
   if (!loaded) return bad_input(loaded.error());
   const auto request = parse_request(arguments, loaded->experiment.image);
   if (!request) return bad_input(request.error());
-  return draw_to_file(*loaded, *request, arguments.out);
+  return draw_to_file(*loaded, *request, *sweep, arguments.out);
 }
 
 int list_scenes() {

@@ -23,14 +23,20 @@ struct RenderArguments {
   std::string out;
   std::optional<std::string> size;  // none: the experiment's image
   std::string scale = "1", theme = "light";
+  bool transparent = false;
+  std::optional<std::string> sweep;
 };
 
 int show_window(const ExperimentArguments& arguments);
 int print_analysis(const ExperimentArguments& arguments, bool texels);
+int print_matrices(const ExperimentArguments& arguments, const std::string& language, const std::string& convention);
 int print_curves(const CurvesText& text);
 int render_views(const RenderArguments& arguments);
 int list_scenes();
 int write_scenes(const std::string& folder);
+
+/// "1280x720"; errors start with "--size".
+Result<glm::ivec2> parse_size(const std::string& text);
 
 /// "world, cube, ...": what --view takes.
 std::string view_names();

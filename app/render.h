@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Views as pictures, without a display.
+// The views of one experiment as a picture, without a display.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "gl/renderer.h"
-#include "scene/experiment_file.h"
+#include "app/sheet.h"
 
 namespace psm {
 
@@ -15,6 +14,7 @@ struct RenderRequest {
   glm::ivec2 size{1280, 720};
   double scale = 1.0;  // of line widths and type
   Theme theme = Theme::light;
+  bool transparent = false;
 };
 
 constexpr int kLargestSide = 16384;
@@ -28,7 +28,7 @@ struct RenderLayout {
 };
 Result<RenderLayout> lay_out(const RenderRequest& request);
 
-/// Draws the views of `request`, which lay_out accepts. Needs a current OpenGL context.
-Image draw_views(const LoadedExperiment& loaded, const RenderRequest& request, const RenderLayout& layout);
+/// The views of `request`, as `layout` places them.
+Sheet sheet_of(const LoadedExperiment& loaded, const RenderRequest& request, const RenderLayout& layout);
 
 }  // namespace psm

@@ -24,7 +24,7 @@ uniform float u_receiver_bias;  // 1, or less where the caster's bias is below o
 
 uniform mat4 u_cube_from_local;
 uniform float u_cube_limit;  // 0: no limit
-uniform vec3 u_ground;       // what it fades to, sRGB
+uniform vec4 u_ground;       // what it fades to, sRGB
 
 out vec4 o_color;
 
@@ -114,7 +114,7 @@ void main() {
   vec3 normal = v_normal / max(length(v_normal), 1e-20) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 ambient = mix(kGroundLight, kSkyLight, u_has_surface ? 0.5 + 0.5 * normal.y : 1.0);
   vec3 color = encode(clamp(albedo.rgb * (ambient + kLight * direct_light(normal)), 0.0, 1.0));
-  o_color = vec4(mix(color, u_ground, fade), 1.0);
+  o_color = mix(vec4(color, 1.0), u_ground, fade);
 #endif
 #endif
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "gl/theme.h"
+#include "draw/theme.h"
 #include "gl_fixture.h"
 
 namespace psm {
@@ -194,8 +194,8 @@ TEST_P(Lists, labels_are_read_where_they_were_placed) {
 TEST_P(Lists, all_roles_are_seen_on_both_grounds) {
   for (const Theme theme : {Theme::light, Theme::dark}) {
     for (int i = 0; i <= int(Role::text); ++i) {
-      EXPECT_GE(gl::contrast(gl::line_color(Role(i), theme), gl::ground_color(theme)), 2.99f) << i;
-      EXPECT_GE(gl::contrast(gl::label_color(Role(i), theme), gl::ground_color(theme)), 4.49f) << i;
+      EXPECT_GE(contrast(picture_line_color(Role(i), theme), picture_ground(theme)), 2.99f) << i;
+      EXPECT_GE(contrast(picture_label_color(Role(i), theme), picture_ground(theme)), 4.49f) << i;
     }
   }
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "draw/utf8.h"
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #define STBRP_STATIC
@@ -32,15 +34,6 @@ constexpr std::array<Range, 8> kRanges{{{0x20, 0x7E},
 constexpr char32_t kMissing = 0x25A1;
 constexpr int kOversampleX = 2, kFirstSide = 512, kLargestSide = 8192;
 
-/// How many bytes follow a first byte, and the bits it gives; -1: it cannot be a first byte.
-int continuation(unsigned char lead, char32_t& bits) {
-  if (lead < 0x80) return bits = lead, 0;
-  if ((lead & 0xE0) == 0xC0) return bits = lead & 0x1F, 1;
-  if ((lead & 0xF0) == 0xE0) return bits = lead & 0x0F, 2;
-  if ((lead & 0xF8) == 0xF0) return bits = lead & 0x07, 3;
-  return -1;
-}
-
 Glyph make_glyph(const stbtt_packedchar& packed, int side) {
   Glyph glyph;
   glyph.min = {packed.xoff, packed.yoff};
@@ -52,24 +45,6 @@ Glyph make_glyph(const stbtt_packedchar& packed, int side) {
 }
 
 }  // namespace
-
-std::u32string decode_utf8(const std::string& text) {
-  std::u32string out;
-  for (std::size_t i = 0; i < text.size();) {
-    char32_t code = 0xFFFD;
-    const int more = continuation(static_cast<unsigned char>(text[i]), code);
-    ++i;
-    for (int k = 0; k < more; ++k, ++i) {
-      if (i >= text.size() || (text[i] & 0xC0) != 0x80) {
-        code = 0xFFFD;
-        break;
-      }
-      code = (code << 6) | (static_cast<unsigned char>(text[i]) & 0x3F);
-    }
-    out.push_back(more < 0 ? U'\xFFFD' : code);
-  }
-  return out;
-}
 
 GlyphAtlas::GlyphAtlas(const std::string& font, int pixel_size) {
   int side = kFirstSide;

@@ -40,7 +40,4 @@ class GlyphAtlas {
   GlTexture texture_;
 };
 
-/// The code points of UTF-8 text; what is malformed becomes U+FFFD.
-std::u32string decode_utf8(const std::string& text);
-
 }  // namespace psm::gl

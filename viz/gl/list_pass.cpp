@@ -22,9 +22,7 @@ ListPass::ListPass(const std::filesystem::path& shaders, const std::filesystem::
       text_(shaders, font) {}
 
 void ListPass::draw(const ViewPicture& picture, const PictureFrame& frame) {
-  std::vector<ShapeVertex> plates;
-  std::vector<LineVertex> leaders, marks;
-  const std::vector<TextBox> boxes = text_.layout(picture, frame, plates, leaders, marks);
+  const Annotations notes = annotate(picture, frame, [&](const std::string& text) { return text_.text_size(text, frame.scale); });
 
   glDepthMask(GL_FALSE);
   enable_blending();
@@ -33,14 +31,14 @@ void ListPass::draw(const ViewPicture& picture, const PictureFrame& frame) {
   draw_list_lines(picture, frame, Seen::behind);
   draw_list_lines(picture, frame, Seen::in_front);
   glDisable(GL_DEPTH_TEST);
-  draw_lines(leaders);  // they end under the points that they lead to
+  draw_lines(mark_vertices(notes.leaders, frame));  // they end under the points that they lead to
   glEnable(GL_DEPTH_TEST);
   draw_list_points(picture, frame, Seen::behind);
   draw_list_points(picture, frame, Seen::in_front);
   glDisable(GL_DEPTH_TEST);
-  draw_shapes(plates);
-  draw_lines(marks);
-  text_.draw(boxes, frame);
+  draw_shapes(plate_vertices(notes.plates, frame));
+  draw_lines(mark_vertices(notes.marks, frame));
+  text_.draw(notes.texts, frame);
   glDepthMask(GL_TRUE);
 }
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "draw/draw_list.h"
-#include "gl/renderer.h"
+#include "draw/annotation.h"
+#include "draw/stroke.h"
 
 namespace psm::gl {
 
@@ -35,29 +35,16 @@ struct FillVertex {
   glm::vec4 color;
 };
 
-struct PictureFrame {
-  glm::dvec2 size{1.0};  // pixels
-  double scale = 1.0;
-  Theme theme = Theme::light;
-};
-
-/// Lines as they are where nothing hides them, or as they show behind the scene: thinner, dashed, 60 %.
-enum class Seen { in_front, behind };
-
 /// Segments clipped to the picture before they are divided by w; lines that are not finite or outside are left out.
 std::vector<LineVertex> line_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame,
                                       Seen seen);
 
-/// One solid line between two pixels, in front of everything; for leaders.
-void append_screen_line(std::vector<LineVertex>& to, const PictureFrame& frame, glm::dvec2 a, glm::dvec2 b,
-                        const glm::vec4& color, double width);
-
 std::vector<ShapeVertex> point_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame,
                                         Seen seen);
 
-/// A rounded plate; `top_left` and `size` in pixels, y downwards.
-void append_plate(std::vector<ShapeVertex>& to, const PictureFrame& frame, glm::dvec2 top_left, glm::dvec2 size, double radius,
-                  const glm::vec4& fill, const glm::vec4& outline);
+/// In front of everything.
+std::vector<LineVertex> mark_vertices(std::span<const Mark> marks, const PictureFrame& frame);
+std::vector<ShapeVertex> plate_vertices(std::span<const Plate> plates, const PictureFrame& frame);
 
 std::vector<FillVertex> fill_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame);
 

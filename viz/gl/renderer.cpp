@@ -6,12 +6,13 @@
 #include <cassert>
 #include <cmath>
 
+#include "draw/theme.h"
 #include "gl/cover_pass.h"
 #include "gl/gl_state.h"
 #include "gl/list_pass.h"
 #include "gl/scene_pass.h"
 #include "gl/shadow_pass.h"
-#include "gl/theme.h"
+#include "gl/view_depth.h"
 #include "gl/view_target.h"
 #include "gl/visible_pass.h"
 
@@ -19,7 +20,12 @@ namespace psm {
 
 struct Renderer::State {
   State(const std::filesystem::path& shaders, const std::filesystem::path& font)
-      : shadow_pass(shaders), scene_pass(shaders), map_pass(shaders), cover_pass(shaders), list_pass(shaders, font) {}
+      : shadow_pass(shaders),
+        scene_pass(shaders),
+        map_pass(shaders),
+        cover_pass(shaders),
+        list_pass(shaders, font),
+        view_depth(shaders) {}
 
   gl::ViewTarget& target(ViewId id) { return targets[std::size_t(id)]; }
 
@@ -30,6 +36,7 @@ struct Renderer::State {
   gl::CoverPass cover_pass;
   gl::VisiblePass visible_pass;
   gl::ListPass list_pass;
+  gl::ViewDepth view_depth;
   gl::MultisampleTarget multisample;
   std::array<gl::ViewTarget, kAllViews.size()> targets;  // by ViewId
 };
@@ -46,22 +53,30 @@ PixelRect pixel_rect(const glm::dvec4& rect, glm::ivec2 size) {
   return {pixel(rect.x, size.x), pixel(rect.y, size.y), pixel(rect.z, size.x), pixel(rect.w, size.y)};
 }
 
-void clear(const PixelRect& rect, const glm::vec3& color) {
+void clear(const PixelRect& rect, const glm::vec4& rgba) {
   glEnable(GL_SCISSOR_TEST);
   glScissor(rect.left, rect.bottom, std::max(0, rect.right - rect.left), std::max(0, rect.top - rect.bottom));
-  const std::array<float, 4> rgba{color.r, color.g, color.b, 1.0f};
   const float far_end = 1.0f;
-  glClearBufferfv(GL_COLOR, 0, rgba.data());
+  glClearBufferfv(GL_COLOR, 0, &rgba.r);
   glClearBufferfv(GL_DEPTH, 0, &far_end);
   glDisable(GL_SCISSOR_TEST);
 }
 
 /// Clears beside the eye's image, after the scene: some drivers let multisampled triangles reach beyond a scissor.
-void clear_outside(const ViewPicture& picture, glm::ivec2 size, Theme theme) {
+void clear_outside(const ViewPicture& picture, glm::ivec2 size, const glm::vec4& rgba) {
   const PixelRect image = pixel_rect(picture.image_rect, size);
   for (const PixelRect& bar : {PixelRect{0, 0, image.left, size.y}, PixelRect{image.right, 0, size.x, size.y},
                                PixelRect{0, 0, size.x, image.bottom}, PixelRect{0, image.top, size.x, size.y}}) {
-    if (bar.left < bar.right && bar.bottom < bar.top) clear(bar, gl::outside_color(theme));
+    if (bar.left < bar.right && bar.bottom < bar.top) clear(bar, rgba);
+  }
+}
+
+/// Pixels over nothing come out with their colours multiplied by their opacity.
+void divide_by_opacity(std::vector<std::uint8_t>& rgba) {
+  for (std::size_t i = 0; i < rgba.size(); i += 4) {
+    const int alpha = rgba[i + 3];
+    if (alpha == 255 || alpha == 0) continue;
+    for (std::size_t k = i; k < i + 3; ++k) rgba[k] = std::uint8_t(std::min(255, (rgba[k] * 255 + alpha / 2) / alpha));
   }
 }
 
@@ -93,7 +108,7 @@ void Renderer::update_shadow_map(const Analysis& analysis) {
 }
 
 std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& analysis, glm::ivec2 size, double scale,
-                                  Theme theme) {
+                                  Theme theme, Backdrop backdrop) {
   const gl::StateGuard guard;
   State& s = *state_;
   size = gl::allowed_size(size);
@@ -105,13 +120,15 @@ std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& an
 
   glBindFramebuffer(GL_FRAMEBUFFER, s.multisample.framebuffer());
   glViewport(0, 0, size.x, size.y);
-  clear({0, 0, size.x, size.y}, gl::ground_color(theme));  // the framebuffer may be larger than the picture
+  const bool transparent = backdrop == Backdrop::none;
+  const glm::vec4 ground = transparent ? glm::vec4(0.0f) : glm::vec4(picture_ground(theme), 1.0f);
+  clear({0, 0, size.x, size.y}, ground);  // the framebuffer may be larger than the picture
   if (picture.scene == ScenePicture::map_depth)
     s.map_pass.draw(picture, s.shadow_pass, scale, theme);
   else
-    s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, theme);
+    s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, theme, ground);
   s.cover_pass.draw(picture);
-  clear_outside(picture, size, theme);
+  clear_outside(picture, size, transparent ? ground : glm::vec4(picture_outside(theme), 1.0f));
   s.list_pass.draw(picture, {glm::dvec2(size), scale, theme});
   target.resolve_from(s.multisample);
   gl::check_errors("draw_view");
@@ -121,7 +138,17 @@ std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& an
 Image Renderer::read_view(ViewId id) {
   const gl::StateGuard guard;
   const gl::ViewTarget& target = state_->target(id);
-  return {target.size().x, target.size().y, target.read_top_to_bottom()};
+  Image image{target.size().x, target.size().y, target.read_top_to_bottom()};
+  divide_by_opacity(image.rgba);
+  return image;
+}
+
+std::vector<float> Renderer::read_view_depth(ViewId id) {
+  const gl::StateGuard guard;
+  State& s = *state_;
+  std::vector<float> depth = s.view_depth.read(s.multisample, s.target(id).size());
+  gl::check_errors("read_view_depth");
+  return depth;
 }
 
 std::vector<MapVerdict> Renderer::read_verdicts(const Analysis& analysis, int width, int height) {

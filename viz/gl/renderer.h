@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "draw/image.h"
+#include "draw/theme.h"
 #include "draw/view.h"
 #include "measure/shadow_error.h"
 #include "scene/analysis.h"
@@ -18,7 +19,8 @@
 
 namespace psm {
 
-enum class Theme { light, dark };
+/// What is where nothing is drawn: the theme's ground, or nothing, for pictures with a transparent background.
+enum class Backdrop { ground, none };
 
 class Renderer {
  public:
@@ -39,10 +41,14 @@ class Renderer {
 
   /// Draws one view into its own texture and returns the texture's OpenGL name, valid until the next call for the same id.
   /// `size` in pixels; `scale` multiplies widths and type. The texture's first row is the bottom one.
-  std::uint32_t draw_view(const ViewPicture& picture, const Analysis& analysis, glm::ivec2 size, double scale, Theme theme);
+  std::uint32_t draw_view(const ViewPicture& picture, const Analysis& analysis, glm::ivec2 size, double scale, Theme theme,
+                          Backdrop backdrop = Backdrop::ground);
 
-  /// What draw_view drew last for this id.
+  /// What draw_view drew last for this id; colours are not multiplied by their opacity.
   Image read_view(ViewId id);
+
+  /// The depth of what draw_view drew last, in [0, 1], rows top to bottom, of the size that it was drawn in.
+  std::vector<float> read_view_depth(ViewId id);
 
   /// What the map that was drawn last says at each pixel of the eye's image, width x height, rows top to bottom: the raw
   /// comparison, whichever way the surface faces the light.

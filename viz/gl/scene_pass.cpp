@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "draw/texel_overlay.h"
+#include "draw/theme.h"
 #include "gl/gl_state.h"
-#include "gl/theme.h"
 
 namespace psm::gl {
 namespace {
@@ -35,7 +35,8 @@ struct MapCorner {
 struct SceneUniforms {
   glm::mat4 clip_from_local{1.0f}, cube_from_local{1.0f};
   float cube_limit = 0.0f, point_size = 1.0f, receiver_bias = 1.0f;
-  glm::vec3 ground{1.0f}, spot_axis{0.0f};
+  glm::vec4 ground{1.0f};  // what the scene fades to
+  glm::vec3 spot_axis{0.0f};
   glm::vec2 spot_cosines{-2.0f};
   glm::vec4 light{0.0f};
   std::span<const glm::mat4> maps_from_local;
@@ -143,7 +144,7 @@ void set_grid(std::array<Program, 2>& programs, int step, Theme theme) {
     program.use();
     program.set("u_step", float(step));
     program.set("u_strong", float(kStrongLines));
-    program.set("u_line_color", line_color(Role::texel_grid, theme));
+    program.set("u_line_color", picture_line_color(Role::texel_grid, theme));
   }
 }
 
@@ -162,7 +163,7 @@ ScenePass::ScenePass(const std::filesystem::path& shaders)
                       Program(shaders, "scene", "surface_point", "#define MAY_DISCARD\n")} {}
 
 void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map,
-                     double scale, Theme theme) {
+                     double scale, Theme theme, const glm::vec4& ground) {
   const bool projective = picture.scene == ScenePicture::projective;
   const glm::dmat4 clip_from_local = picture.clip_from_world * scene.world_from_local();
   const auto clip = narrow(clip_from_local);
@@ -174,7 +175,7 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
   values.cube_from_local = cube.value_or(glm::mat4(1.0f));
   values.cube_limit = projective ? float(picture.cube_limit) : 0.0f;
   values.point_size = float(kPointSize * scale);
-  values.ground = ground_color(theme);
+  values.ground = ground;
 
   map.bind_for_comparison(1);
   glEnable(GL_DEPTH_TEST);
@@ -253,7 +254,7 @@ void MapPass::draw(const ViewPicture& picture, const ShadowPass& map, double sca
   program_.set("u_depth_range", depth_range_);
   program_.set("u_tiles", tiles);
   program_.set("u_empty", map.layers() == 0 ? 1 : 0);
-  program_.set("u_ground", ground_color(theme));
+  program_.set("u_ground", picture_ground(theme));
   program_.set("u_scale", float(scale));
   map.bind_for_reading(0);
   glDisable(GL_DEPTH_TEST);

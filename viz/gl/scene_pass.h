@@ -20,7 +20,7 @@ class ScenePass {
   /// ScenePicture::shadowed and ::projective, into the bound framebuffer, with depth; a heat map instead of the lit scene, and
   /// the texel grid over it, where the picture asks for them.
   void draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map, double scale,
-            Theme theme);
+            Theme theme, const glm::vec4& ground);
 
   /// The eye's image, into the bound framebuffer: a MapVerdict in red where there is a triangle.
   void draw_verdicts(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map);

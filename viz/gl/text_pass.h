@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The view's title and the labels: text on rounded plates, with leaders to what they name.
+// Text on the picture: a quad for each glyph.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "draw/view.h"
+#include "draw/annotation.h"
 #include "gl/glyph_atlas.h"
-#include "gl/legend_layout.h"
-#include "gl/overlay_vertices.h"
 
 namespace psm::gl {
 
@@ -18,10 +16,6 @@ class TextPass {
  public:
   TextPass(const std::filesystem::path& shaders, const std::filesystem::path& font);
 
-  /// Places labels, title and legend, and appends their plates, leaders and marks (hatching over plates) to what the other passes
-  /// draw.
-  std::vector<TextBox> layout(const ViewPicture& picture, const PictureFrame& frame, std::vector<ShapeVertex>& plates,
-                              std::vector<LineVertex>& leaders, std::vector<LineVertex>& marks);
   void draw(const std::vector<TextBox>& boxes, const PictureFrame& frame);
 
   glm::dvec2 text_size(const std::string& text, double scale) { return atlas(scale).text_size(text); }

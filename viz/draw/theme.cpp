@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gl/theme.h"
+#include "draw/theme.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace psm::gl {
+namespace psm {
 namespace {
 
 constexpr float kLineContrast = 3.0f, kTextContrast = 4.5f;
@@ -34,19 +34,19 @@ float contrast(const glm::vec3& a, const glm::vec3& b) {
   return (std::max(la, lb) + 0.05f) / (std::min(la, lb) + 0.05f);
 }
 
-glm::vec3 ground_color(Theme theme) { return theme == Theme::light ? glm::vec3(1.0f) : glm::vec3(0.118f); }
-glm::vec3 outside_color(Theme theme) { return theme == Theme::light ? glm::vec3(0.89f, 0.9f, 0.91f) : glm::vec3(0.075f); }
+glm::vec3 picture_ground(Theme theme) { return theme == Theme::light ? glm::vec3(1.0f) : glm::vec3(0.118f); }
+glm::vec3 picture_outside(Theme theme) { return theme == Theme::light ? glm::vec3(0.89f, 0.9f, 0.91f) : glm::vec3(0.075f); }
 
-glm::vec3 line_color(Role role, Theme theme) {
-  return with_contrast(theme == Theme::light ? role_line_color(role) : role_color(role), ground_color(theme), kLineContrast);
+glm::vec3 picture_line_color(Role role, Theme theme) {
+  return with_contrast(theme == Theme::light ? role_line_color(role) : role_color(role), picture_ground(theme), kLineContrast);
 }
 
-glm::vec3 fill_color(Role role, Theme) { return role_color(role); }
+glm::vec3 picture_fill_color(Role role, Theme) { return role_color(role); }
 
-glm::vec3 label_color(Role role, Theme theme) {
+glm::vec3 picture_label_color(Role role, Theme theme) {
   const glm::vec3 color = theme == Theme::light ? role_text_color(role) : role_color(role);
   const bool plain = role == Role::text || role == Role::neutral;
-  return with_contrast(color, ground_color(theme), plain && theme == Theme::dark ? 9.0f : kTextContrast);
+  return with_contrast(color, picture_ground(theme), plain && theme == Theme::dark ? 9.0f : kTextContrast);
 }
 
-}  // namespace psm::gl
+}  // namespace psm

@@ -5,26 +5,34 @@
 #include <glm/glm.hpp>
 
 #include "draw/draw_list.h"
-#include "gl/renderer.h"
 
-namespace psm::gl {
+namespace psm {
 
-glm::vec3 ground_color(Theme theme);
+enum class Theme { light, dark };
+
+/// What a view is drawn into.
+struct PictureFrame {
+  glm::dvec2 size{1.0};  // pixels
+  double scale = 1.0;    // of line widths and type
+  Theme theme = Theme::light;
+};
+
+glm::vec3 picture_ground(Theme theme);
 
 /// Beside the eye's image, where the view letterboxes.
-glm::vec3 outside_color(Theme theme);
+glm::vec3 picture_outside(Theme theme);
 
 /// For lines and points: the role's colour, darkened or lightened in linear light until it has the contrast of 3:1 with the
 /// ground that meaningful lines need (WCAG); yellow and orange on white do not have it by themselves.
-glm::vec3 line_color(Role role, Theme theme);
+glm::vec3 picture_line_color(Role role, Theme theme);
 
 /// For translucent fills: the role's colour as it is.
-glm::vec3 fill_color(Role role, Theme theme);
+glm::vec3 picture_fill_color(Role role, Theme theme);
 
 /// For labels: at least 4.5:1.
-glm::vec3 label_color(Role role, Theme theme);
+glm::vec3 picture_label_color(Role role, Theme theme);
 
 /// WCAG contrast of two sRGB colours, 1 to 21.
 float contrast(const glm::vec3& a, const glm::vec3& b);
 
-}  // namespace psm::gl
+}  // namespace psm

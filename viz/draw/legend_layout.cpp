@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gl/legend_layout.h"
+#include "draw/legend_layout.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gl/theme.h"
-
-namespace psm::gl {
+namespace psm {
 namespace {
 
 // Pixels at scale 1.
@@ -38,8 +36,7 @@ glm::dvec2 flow(std::vector<Item>& items, double scale, double width) {
 }
 
 /// A text that is wider than the view, in pieces that are not.
-std::vector<std::string> broken(const std::string& text, double width,
-                                const std::function<glm::dvec2(const std::string&)>& text_size) {
+std::vector<std::string> broken(const std::string& text, double width, const TextSize& text_size) {
   std::vector<std::string> lines{""};
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at + 1), text.size());
@@ -53,23 +50,20 @@ std::vector<std::string> broken(const std::string& text, double width,
   return lines;
 }
 
-void hatch(std::vector<LineVertex>& marks, const PictureFrame& frame, glm::dvec2 corner, glm::dvec2 size,
-           const glm::vec3& color) {
+void hatch(std::vector<Mark>& marks, const PictureFrame& frame, glm::dvec2 corner, glm::dvec2 size, const glm::vec3& color) {
   const bool pale = glm::dot(color, glm::vec3(0.3f, 0.6f, 0.1f)) > 0.4f;
   const glm::vec4 ink(glm::vec3(pale ? 0.0f : 1.0f), 0.5f);
   for (double x = 0.5 * kHatch * frame.scale; x < size.x + size.y; x += kHatch * frame.scale) {
-    // From the upper side or the right one down to the left, in pixels that count upwards.
+    // From the upper side or the right one, down to the left.
     const glm::dvec2 a(std::min(x, size.x), std::max(0.0, x - size.x)), b(std::max(0.0, x - size.y), std::min(x, size.y));
-    const auto upwards = [&](glm::dvec2 p) { return glm::dvec2(corner.x + p.x, frame.size.y - corner.y - size.y + p.y); };
-    append_screen_line(marks, frame, upwards({a.x, size.y - a.y}), upwards({b.x, size.y - b.y}), ink, 1.2 * frame.scale);
+    marks.push_back({corner + a, corner + b, ink, 1.2 * frame.scale});
   }
 }
 
 }  // namespace
 
-Occupied lay_out_legend(const Legend& legend, const PictureFrame& frame,
-                        const std::function<glm::dvec2(const std::string&)>& text_size, std::vector<TextBox>& texts,
-                        std::vector<ShapeVertex>& plates, std::vector<LineVertex>& marks) {
+Occupied lay_out_legend(const Legend& legend, const PictureFrame& frame, const TextSize& text_size, std::vector<TextBox>& texts,
+                        std::vector<Plate>& plates, std::vector<Mark>& marks) {
   const double s = frame.scale, swatch = kSwatchWidth * s, gap = kGap * s, width = frame.size.x - 2.0 * (kInset + kPadding) * s;
   std::vector<std::string> head = legend.title.empty() ? std::vector<std::string>{} : broken(legend.title, width, text_size),
                            tail;
@@ -89,19 +83,18 @@ Occupied lay_out_legend(const Legend& legend, const PictureFrame& frame,
 
   const glm::dvec2 extent = flow(items, s, width), plate = extent + 2.0 * kPadding * s;
   const glm::dvec2 corner(kInset * s, frame.size.y - kInset * s - plate.y), origin = corner + kPadding * s;
-  const glm::vec3 ink = label_color(Role::text, frame.theme);
-  append_plate(plates, frame, corner, plate, 4.0 * s, glm::vec4(ground_color(frame.theme), kPlateOpacity),
-               glm::vec4(ink, kRimOpacity));
+  const glm::vec3 ink = picture_label_color(Role::text, frame.theme);
+  plates.push_back({corner, plate, 4.0 * s, glm::vec4(picture_ground(frame.theme), kPlateOpacity), glm::vec4(ink, kRimOpacity)});
   for (const Item& item : items) {
     const glm::dvec2 at = origin + item.at;
     if (item.entry) {
       const glm::dvec2 size(swatch, std::round(0.8 * item.size.y)), top(at.x, at.y + 0.5 * (item.size.y - size.y));
-      append_plate(plates, frame, top, size, 1.0 * s, glm::vec4(item.entry->color, 1.0f), glm::vec4(ink, kSwatchRim));
+      plates.push_back({top, size, 1.0 * s, glm::vec4(item.entry->color, 1.0f), glm::vec4(ink, kSwatchRim)});
       if (item.entry->hatched) hatch(marks, frame, top, size, item.entry->color);
     }
-    texts.push_back({{at.x + (item.entry ? swatch + gap : 0.0), at.y}, item.text_size, *item.text, glm::vec4(ink, 1.0f)});
+    texts.push_back({{at.x + (item.entry ? swatch + gap : 0.0), at.y}, item.text_size, *item.text, ink});
   }
   return {corner, plate};
 }
 
-}  // namespace psm::gl
+}  // namespace psm

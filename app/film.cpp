@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/film.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "app/numbers.h"
+
+namespace psm {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Without a shell, silently; the exit status, or -1.
+int run(std::vector<std::string> command) {
+  std::vector<char*> arguments;
+  for (std::string& word : command) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t silence;
+  posix_spawn_file_actions_init(&silence);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&silence, stream, "/dev/null", O_RDWR, 0);
+  pid_t child = 0;
+  const int failed = posix_spawnp(&child, arguments[0], &silence, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&silence);
+  int status = 0;
+  if (failed || waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
+  return WEXITSTATUS(status);
+}
+
+}  // namespace
+
+std::optional<InputError> film_missing() {
+  const char* path = std::getenv("PATH");
+  for (const std::string& folder : split(path ? path : "", ':'))
+    if (!folder.empty() && access((fs::path(folder) / "ffmpeg").c_str(), X_OK) == 0) return std::nullopt;
+  return InputError{
+      "--out: a film needs ffmpeg, which is not installed; allowed: a .png name for numbered pictures, or install ffmpeg"};
+}
+
+std::optional<InputError> write_film(const fs::path& frames, const fs::path& film) {
+  const fs::path finished = frames / ("film" + film.extension().string());
+  // Films of this kind have sides of even length; a GIF gets a palette of its own.
+  const char* filter = film.extension() == ".gif" ? "split[a][b];[a]palettegen[p];[b][p]paletteuse"
+                                                  : "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,format=yuv420p";
+  const int status = run({"ffmpeg", "-nostdin", "-y", "-framerate", "25", "-i", (frames / "frame_%04d.png").string(),
+                          "-filter_complex", filter, finished.string()});
+  std::error_code error;
+  if (status != 0) return InputError{film.string() + ": ffmpeg could not write it (exit status " + std::to_string(status) + ")"};
+  fs::rename(finished, film, error);
+  if (error) return InputError{film.string() + ": cannot be written: " + error.message()};
+  return std::nullopt;
+}
+
+}  // namespace psm

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "app/assets.h"
+#include "app/caption.h"
+#include "draw/probe.h"
+#include "figure/png.h"
+#include "figure/view_panel.h"
+#include "gl/error_view.h"
+#include "measure/pick.h"
+
+namespace psm {
+namespace {
+
+constexpr double kStatusHeight = 18.0, kStatusInset = 5.0;  // pixels at scale 1
+constexpr int kMostRasterPixels = 16 << 20;                 // of a panel that is drawn larger than it is shown
+
+Image filled(const glm::ivec2& size, const glm::vec4& color) {
+  Image image{size.x, size.y, std::vector<std::uint8_t>(std::size_t(size.x) * size.y * 4)};
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = std::uint8_t(std::lround(color[int(i % 4)] * 255.0f));
+  return image;
+}
+
+void paste(const Image& part, const glm::ivec2& origin, Image& whole) {
+  for (int y = 0; y < part.height; ++y)
+    std::memcpy(&whole.rgba[(std::size_t(origin.y + y) * whole.width + origin.x) * 4],
+                &part.rgba[std::size_t(y) * part.width * 4], std::size_t(part.width) * 4);
+}
+
+/// Means of two by two pixels, each with the weight of its opacity.
+Image halved(const Image& image) {
+  Image half{image.width / 2, image.height / 2, {}};
+  half.rgba.reserve(std::size_t(half.width) * half.height * 4);
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x) {
+      int sum[4] = {};
+      for (int k = 0; k < 4; ++k) {
+        const std::uint8_t* p = &image.rgba[(std::size_t(2 * y + k / 2) * image.width + 2 * x + k % 2) * 4];
+        for (int c = 0; c < 3; ++c) sum[c] += p[c] * p[3];
+        sum[3] += p[3];
+      }
+      for (int c = 0; c < 3; ++c) half.rgba.push_back(std::uint8_t(sum[3] ? (sum[c] + sum[3] / 2) / sum[3] : 0));
+      half.rgba.push_back(std::uint8_t((sum[3] + 2) / 4));
+    }
+  return half;
+}
+
+/// How many pixels along a side are drawn for one.
+int samples_along(const glm::ivec2& size) { return std::int64_t(size.x) * size.y * 4 <= kMostRasterPixels ? 2 : 1; }
+
+glm::vec3 status_color(Theme theme) { return glm::vec3(theme == Theme::dark ? 0.92f : 0.08f); }
+
+std::string status_text(const Analysis& analysis) {
+  return light_case_text(analysis) + "   |   " + name_of(analysis.technique_used);
+}
+
+std::optional<Probe> probe_at(const RayTracer& tracer, const Analysis& analysis) {
+  const auto& pixel = analysis.experiment.view.probe;
+  const auto pick = pixel ? pick_pixel(tracer, analysis, *pixel) : std::nullopt;
+  return pick ? make_probe(analysis, pick->receiver, pick->occluder, pick->seen) : std::nullopt;
+}
+
+}  // namespace
+
+std::string parameters_of(const Sheet& sheet) {
+  std::string text = "[";
+  for (const SheetPanel& panel : sheet.panels)
+    text += std::string(text.size() > 1 ? "," : "") + "{\"view\": \"" + name_of(panel.view) +
+            "\", \"experiment\": " + experiment_to_json(panel.loaded->experiment) + "}";
+  return text + "]";
+}
+
+struct SheetPainter::State {
+  Renderer renderer{assets_folder(), font_file()};
+  std::shared_ptr<const LoadedExperiment> loaded;
+  std::optional<RayTracer> tracer;
+  Analysis analysis;
+  std::optional<Probe> probe;
+
+  void prepare(const std::shared_ptr<const LoadedExperiment>& wanted) {
+    if (loaded == wanted) return;
+    const bool same_scene = loaded && loaded->base == wanted->base && loaded->experiment.scene == wanted->experiment.scene;
+    loaded = wanted;
+    if (!same_scene) {
+      tracer.emplace(loaded->scene);
+      renderer.set_scene(loaded->scene);
+    }
+    analysis = analyze_with_statistics(loaded->experiment, loaded->scene, *tracer);
+    probe = probe_at(*tracer, analysis);
+    renderer.update_shadow_map(analysis);
+  }
+
+  ViewPicture describe(const SheetPanel& panel) {
+    prepare(panel.loaded);
+    ViewPicture picture = describe_view(panel.view, analysis, loaded->scene, panel.size);
+    if (panel.view == ViewId::eye && analysis.experiment.view.eye_overlay == EyeOverlay::errors)
+      show_errors(picture, compare_with_truth(renderer, *tracer, analysis, kAllPixels));
+    if (probe) append(picture.list, probe_list(*probe, panel.view, analysis, panel.size));
+    if (panel.title) picture.title = *panel.title;
+    return picture;
+  }
+
+  Image draw(const ViewPicture& picture, const Sheet& sheet, const glm::ivec2& size, int samples) {
+    renderer.draw_view(picture, analysis, size * samples, sheet.scale * samples, sheet.theme,
+                       sheet.transparent ? Backdrop::none : Backdrop::ground);
+    return renderer.read_view(picture.id);
+  }
+
+  /// The scene and what it hides partly, and the depth that decides what it hides.
+  ViewRaster raster(const ViewPicture& picture, const Sheet& sheet, const glm::ivec2& size, const PictureFrame& frame) {
+    const int samples = samples_along(size);
+    ViewRaster raster;
+    raster.image = draw(picture, sheet, size, samples);
+    raster.depth = renderer.read_view_depth(picture.id);
+    ViewPicture bare = picture;
+    bare.title.clear();
+    bare.legend = {};
+    bare.list = {};
+    bare.list.fills = hidden_fills(picture, frame, raster);
+    raster.image = draw(bare, sheet, size, samples);
+    return raster;
+  }
+};
+
+SheetPainter::SheetPainter() : state_(std::make_unique<State>()) {}
+SheetPainter::~SheetPainter() = default;
+
+Image SheetPainter::image(const Sheet& sheet) {
+  const glm::vec4 background = sheet.transparent ? glm::vec4(0.0f) : glm::vec4(sheet.background, 1.0f);
+  Image whole = filled(sheet.size, background);
+  for (const SheetPanel& panel : sheet.panels) {
+    const ViewPicture picture = state_->describe(panel);
+    const int samples = sheet.supersampled ? samples_along(panel.size) : 1;
+    const Image image = state_->draw(picture, sheet, panel.size, samples);
+    paste(samples == 2 ? halved(image) : image, panel.top_left, whole);
+  }
+  if (sheet.status_height > 0) {
+    const Caption caption(font_file(), kStatusHeight * sheet.scale);
+    const int inset = int(std::lround(kStatusInset * sheet.scale));
+    caption.draw(whole, inset, sheet.size.y - sheet.status_height + inset, status_text(state_->analysis),
+                 status_color(sheet.theme));
+  }
+  return whole;
+}
+
+Result<Page> SheetPainter::page(const Sheet& sheet) {
+  const auto font = Font::load(font_file());
+  if (!font) return font.error();
+  Page page{sheet.size, std::nullopt, {}, sheet.title, parameters_of(sheet)};
+  if (!sheet.transparent) page.background = sheet.background;
+  for (const SheetPanel& panel : sheet.panels) {
+    const PictureFrame frame{panel.size, sheet.scale, sheet.theme};
+    const ViewPicture picture = state_->describe(panel);
+    page.panels.push_back(view_panel(picture, frame, state_->raster(picture, sheet, panel.size, frame), panel.top_left, *font));
+  }
+  if (sheet.status_height > 0) {
+    const std::string text = status_text(state_->analysis);
+    const double inset = kStatusInset * sheet.scale;
+    const glm::dvec2 top_left(inset, sheet.size.y - sheet.status_height + inset);
+    page.panels.push_back(
+        {{0.0, 0.0},
+         page.size,
+         {PageText{top_left, font->text_size(text, kStatusHeight * sheet.scale), text, status_color(sheet.theme)}}});
+  }
+  return page;
+}
+
+Result<std::string> sheet_bytes(SheetPainter& painter, const Sheet& sheet, const std::filesystem::path& file) {
+  if (file.extension() == ".png") return png_bytes(painter.image(sheet), parameters_of(sheet));
+  const auto page = painter.page(sheet);
+  if (!page) return page.error();
+  return file.extension() == ".svg" ? Result<std::string>(page_svg(*page)) : page_pdf(*page);
+}
+
+}  // namespace psm

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "draw/annotation.h"
+
+#include "draw/legend_layout.h"
+
+namespace psm {
+namespace {
+
+constexpr double kTitleInset = 10.0, kPlateRadius = 4.0, kLeaderWidth = 1.0;  // pixels at scale 1
+constexpr float kPlateOpacity = 0.85f, kRimOpacity = 0.16f, kLeaderOpacity = 0.75f;
+
+Plate plate_around(glm::dvec2 top_left, glm::dvec2 size, const glm::vec3& text_color, const PictureFrame& frame) {
+  const double margin = label_margin * frame.scale;
+  return {top_left - margin, size + 2.0 * margin, kPlateRadius * frame.scale,
+          glm::vec4(picture_ground(frame.theme), kPlateOpacity), glm::vec4(text_color, kRimOpacity)};
+}
+
+/// From the plate's nearest point to the anchor.
+Mark leader_to(const glm::dvec2& anchor, const Plate& plate, const glm::vec3& color, const PictureFrame& frame) {
+  return {glm::clamp(anchor, plate.top_left, plate.top_left + plate.size), anchor, glm::vec4(color, kLeaderOpacity),
+          kLeaderWidth * frame.scale};
+}
+
+glm::dvec2 measure(const std::string& text, double, void* text_size) { return (*static_cast<const TextSize*>(text_size))(text); }
+
+}  // namespace
+
+Annotations annotate(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size) {
+  Annotations out;
+  std::vector<Occupied> occupied;
+  std::vector<Plate> title, legend;
+  if (!picture.title.empty()) {
+    const glm::vec3 color = picture_label_color(Role::neutral, frame.theme);
+    out.texts.push_back({glm::dvec2(kTitleInset * frame.scale), text_size(picture.title), picture.title, color});
+    title.push_back(plate_around(out.texts.back().top_left, out.texts.back().size, color, frame));
+    occupied.push_back({title.back().top_left, title.back().size});
+  }
+  if (!picture.legend.empty()) occupied.push_back(lay_out_legend(picture.legend, frame, text_size, out.texts, legend, out.marks));
+  TextSize measured = text_size;
+  for (const PlacedLabel& label :
+       place_labels(picture.list, picture.clip_from_list, frame.size, frame.scale, measure, &measured, occupied)) {
+    const glm::vec3 color = picture_label_color(label.role, frame.theme);
+    out.plates.push_back(plate_around(label.top_left, label.size, color, frame));
+    if (label.leader) out.leaders.push_back(leader_to(label.anchor, out.plates.back(), color, frame));
+    out.texts.push_back({label.top_left, label.size, label.text, color});
+  }
+  out.plates.insert(out.plates.end(), title.begin(), title.end());
+  out.plates.insert(out.plates.end(), legend.begin(), legend.end());
+  return out;
+}
+
+}  // namespace psm
