@@ -75,7 +75,7 @@ void add_sweep(CLI::App& app, std::optional<std::string>& sweep) {
 
 void add_render(CLI::App& app, RenderArguments& render) {
   add_experiment(app, render.experiment);
-  app.add_option("--view", render.views, "Comma-separated list of " + view_names() + "; without it, all of them")
+  app.add_option("--view", render.views, "Comma-separated list of " + view_names() + "; without it, the first four")
       ->type_name("LIST");
   app.add_option("--out", render.out, "The picture to write, .png, .svg or .pdf; several views share it in two columns")
       ->type_name("FILE")

@@ -26,11 +26,11 @@ namespace fs = std::filesystem;
 
 Result<std::vector<ViewId>> parse_views(const std::optional<std::string>& names) {
   std::vector<ViewId> views;
-  if (!names) views.assign(std::begin(kAllViews), std::end(kAllViews));
+  if (!names) views.assign(kMainViews.begin(), kMainViews.end());
   for (const std::string& name : names ? split(*names, ',') : std::vector<std::string>()) {
-    const auto found = std::find_if(std::begin(kAllViews), std::end(kAllViews), [&](ViewId id) { return name == name_of(id); });
-    if (found == std::end(kAllViews)) return flag_error("--view", name, "a list of: " + view_names());
-    views.push_back(*found);
+    const auto view = view_from_name(name);
+    if (!view) return flag_error("--view", name, "a list of: " + view_names());
+    views.push_back(*view);
   }
   if (views.size() > 16) return InputError{"--view: " + std::to_string(views.size()) + " views; allowed: up to 16"};
   return views;
@@ -88,7 +88,7 @@ fs::path place_for_views() {
 int draw_without_display(const LoadedExperiment& loaded) {
   complain("no display: no window can be opened, so the four views are written as a picture instead");
   RenderRequest request;
-  request.views.assign(std::begin(kAllViews), std::end(kAllViews));
+  request.views.assign(kMainViews.begin(), kMainViews.end());
   request.size = {1920, 1080};
   const fs::path out = place_for_views();
   const int code = draw_to_file(loaded, request, std::nullopt, out);

@@ -36,7 +36,7 @@ TEST(Render, EachViewHasItsSizeAndShowsSomething) {
 
 TEST(Render, SeveralViewsShareAPicture) {
   RenderRequest request;
-  request.views.assign(std::begin(kAllViews), std::end(kAllViews));
+  request.views.assign(std::begin(kMainViews), std::end(kMainViews));
   request.size = {640, 480};
   const auto layout = lay_out(request);
   ASSERT_TRUE(layout);
@@ -104,7 +104,7 @@ TEST(Render, WithoutOpenGLItSaysSoInOneLine) {
 TEST(Layout, ViewsDoNotOverlapAndStayInside) {
   for (int count = 1; count <= 4; ++count) {
     RenderRequest request;
-    request.views.assign(std::begin(kAllViews), std::begin(kAllViews) + count);
+    request.views.assign(std::begin(kMainViews), std::begin(kMainViews) + count);
     request.size = {333, 257};
     const auto layout = lay_out(request);
     ASSERT_TRUE(layout);

@@ -125,7 +125,7 @@ constexpr std::array<const char*, 7> kParts{"map", "world", "cube", "mapview", "
 
 std::array<ViewPicture, 4> described(const Analysis& analysis, const Scene& scene) {
   std::array<ViewPicture, 4> pictures;
-  for (ViewId id : kAllViews) pictures[std::size_t(id)] = describe_view(id, analysis, scene, kSize);
+  for (ViewId id : kMainViews) pictures[std::size_t(id)] = describe_view(id, analysis, scene, kSize);
   return pictures;
 }
 
@@ -133,7 +133,7 @@ double frame(Renderer& renderer, const Analysis& analysis, const Scene& scene, c
   return timer
              .time([&] {
                renderer.draw_shadow_map(analysis);
-               for (ViewId id : kAllViews)
+               for (ViewId id : kMainViews)
                  renderer.draw_view(describe_view(id, analysis, scene, kSize), analysis, kSize, 1.0, Theme::light);
              })
              .wall *
@@ -143,7 +143,7 @@ double frame(Renderer& renderer, const Analysis& analysis, const Scene& scene, c
 /// Each part by itself, waited for: more than their share of a frame in which they overlap.
 void time_parts(Renderer& renderer, const Analysis& analysis, const Scene& scene, const PassTimer& timer, Times& times) {
   times[0].push_back(timer.time([&] { renderer.draw_shadow_map(analysis); }).wall * 1e3);
-  for (ViewId id : kAllViews) {
+  for (ViewId id : kMainViews) {
     const auto view = [&] { renderer.draw_view(describe_view(id, analysis, scene, kSize), analysis, kSize, 1.0, Theme::light); };
     times[1 + std::size_t(id)].push_back(timer.time(view).wall * 1e3);
   }

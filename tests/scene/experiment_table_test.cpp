@@ -34,6 +34,9 @@ struct Outside {
   }
   std::vector<std::string> operator()(const TextRef&) const { return {"", "a\nb", std::string(5000, 'a')}; }
   std::vector<std::string> operator()(const ShiftRef&) const { return {"", "Auto", "infront", "inf", "-1", "1,2"}; }
+  std::vector<std::string> operator()(const TilesRef&) const {
+    return {"", "none", "world,", ",world", "world,world", "world,cube,map,eye,body", "World", "world;cube", "[world]"};
+  }
   std::vector<std::string> operator()(const AutoPixelRef&) const { return {"", "none", "1", "1,2,3", "-1,0", "1,inf"}; }
   std::vector<std::string> operator()(const AutoPlaneRef&) const { return {"", "none", "1,2,3", "0,0,0,1", "1,2,3,inf"}; }
   std::vector<std::string> operator()(const Choice& choice) const { return {"", "?", "0", choice.names[0] + " ", "UNIFORM"}; }

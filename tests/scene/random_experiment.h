@@ -42,6 +42,12 @@ class RandomExperiment {
     void operator()(const ShiftRef& ref) const {
       ref(experiment) = source.below(2) == 0 ? CameraShift(ShiftRule(source.below(3))) : source.number(field);
     }
+    void operator()(const TilesRef& ref) const {
+      std::vector<ViewId> views(kAllViews.begin(), kAllViews.end());
+      std::shuffle(views.begin(), views.end(), source.random_);
+      views.resize(std::size_t(1 + source.below(int(kMostTiles))));
+      ref(experiment) = views;
+    }
     void operator()(const AutoPixelRef& ref) const {
       glm::dvec2 pixel;
       source.vector<2>(field, pixel);

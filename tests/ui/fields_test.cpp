@@ -46,6 +46,17 @@ struct Edit {
     bench.click(bench.at(field.path + "=number", 0.1));
     edit_number(bench, field.path, field.path);
   }
+  void operator()(const TilesRef&) const {
+    bench.click(bench.at(field.path + ".0"));
+    bench.click(bench.at(field.path + ".0=eye"));
+    EXPECT_EQ(value_text(field, bench.experiment()), "eye,cube,map,world");  // the two change places
+    bench.click(bench.at(field.path + ".1"));
+    bench.click(bench.at(field.path + ".1=none"));
+    EXPECT_EQ(value_text(field, bench.experiment()), "eye,map,world");
+    bench.click(bench.at(field.path + ".3"));
+    bench.click(bench.at(field.path + ".3=body"));
+    EXPECT_EQ(value_text(field, bench.experiment()), "eye,map,world,body");
+  }
   void operator()(const AutoPixelRef&) const {
     bench.click(bench.at(field.path + ".absent", 0.1));
     components(".x", ".y");

@@ -11,6 +11,7 @@
 #include "ui/keys.h"
 #include "ui/navigation.h"
 #include "ui/slider.h"
+#include "ui/tile_menu.h"
 
 namespace psm::test {
 namespace {
@@ -56,19 +57,63 @@ TEST(Settings, SurviveAFileAndBadFiles) {
   EXPECT_EQ(read.layout.column, Settings{}.layout.column);
 }
 
+ViewSettings with_tiles(std::vector<ViewId> tiles) {
+  ViewSettings view;
+  view.tiles = std::move(tiles);
+  return view;
+}
+
 TEST(Layout, TilesFillTheWindowWithoutOverlap) {
-  for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(320, 200), glm::ivec2(1024, 768), glm::ivec2(3840, 2160)}) {
-    const Layout l = lay_out(size, LayoutSettings{}, std::nullopt, 31, 6);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = i + 1; j < 4; ++j) {
-        const Rect &a = l.views[i], &b = l.views[j];
-        if (a.empty() || b.empty()) continue;
-        EXPECT_TRUE(a.max.x <= b.min.x || b.max.x <= a.min.x || a.max.y <= b.min.y || b.max.y <= a.min.y);
+  const std::vector<ViewId> all(kAllViews.begin(), kAllViews.end());
+  for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(320, 200), glm::ivec2(1024, 768), glm::ivec2(3840, 2160)})
+    for (std::size_t count = 1; count <= kMostTiles; ++count) {
+      const std::vector<ViewId> tiles(all.end() - std::ptrdiff_t(count), all.end());
+      const Layout l = lay_out(size, LayoutSettings{}, with_tiles(tiles), 31, 6);
+      std::int64_t area = 0;
+      for (const ViewId id : kAllViews) {
+        const bool is_tile = std::find(tiles.begin(), tiles.end(), id) != tiles.end();
+        const Rect& a = l.view(id);
+        if (!is_tile || a.empty()) {
+          EXPECT_FALSE(l.visible(id));
+          continue;
+        }
+        area += std::int64_t(a.size().x) * a.size().y;
         EXPECT_LE(a.max.x, size.x);
+        for (const ViewId other : kAllViews) {
+          const Rect& b = l.view(other);
+          if (other == id || b.empty()) continue;
+          EXPECT_TRUE(a.max.x <= b.min.x || b.max.x <= a.min.x || a.max.y <= b.min.y || b.max.y <= a.min.y);
+        }
       }
-    const Layout alone = lay_out(size, LayoutSettings{}, ViewId::map, 31, 6);
-    EXPECT_FALSE(alone.visible(ViewId::eye));
-  }
+      if (size.x < 320) continue;
+      const glm::ivec2 whole(l.pane_splitter.min.x, l.badges.min.y);
+      EXPECT_GT(area, std::int64_t(whole.x) * whole.y - 6 * (whole.x + whole.y) - 1) << count << " tiles leave holes";
+    }
+}
+
+TEST(Layout, AMaximisedViewHasThePlaceOfAllTiles) {
+  ViewSettings view = with_tiles({ViewId::world, ViewId::eye});
+  view.maximised = ViewId::body;
+  const Layout alone = lay_out({1024, 768}, LayoutSettings{}, view, 31, 6);
+  EXPECT_FALSE(alone.visible(ViewId::eye));
+  EXPECT_EQ(alone.view(ViewId::body).min, glm::ivec2(0));
+  EXPECT_TRUE(alone.column_splitter.empty());
+}
+
+TEST(Tiles, AViewThatIsElsewhereChangesPlaces) {
+  std::vector<ViewId> tiles{ViewId::world, ViewId::cube, ViewId::map};
+  put_in_tile(tiles, 0, ViewId::map);
+  EXPECT_EQ(tiles, (std::vector<ViewId>{ViewId::map, ViewId::cube, ViewId::world}));
+  put_in_tile(tiles, 1, ViewId::body);
+  EXPECT_EQ(tiles, (std::vector<ViewId>{ViewId::map, ViewId::body, ViewId::world}));
+  put_in_tile(tiles, 3, ViewId::eye);
+  EXPECT_EQ(tiles.size(), 4u);
+  put_in_tile(tiles, 3, std::nullopt);
+  put_in_tile(tiles, 0, std::nullopt);
+  EXPECT_EQ(tiles, (std::vector<ViewId>{ViewId::body, ViewId::world}));
+  put_in_tile(tiles, 0, std::nullopt);
+  put_in_tile(tiles, 0, std::nullopt);
+  EXPECT_EQ(tiles, std::vector<ViewId>{ViewId::world}) << "the last tile stays";
 }
 
 TEST(Slider, PlaceAndValueAreInverse) {

@@ -34,6 +34,8 @@ ViewPicture describe(ViewId id, const Analysis& analysis, glm::ivec2 size) {
       return describe_map(analysis, size);
     case ViewId::eye:
       return describe_eye(analysis, size);
+    case ViewId::body:
+      return describe_body(analysis, size);
   }
   return {};
 }

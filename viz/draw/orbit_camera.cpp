@@ -48,6 +48,18 @@ void add_position(Bounds& extent, const glm::dvec3& position, const Bounds& scen
   if (scene.empty() || glm::length(offset) <= reach) extent.add(position);
 }
 
+/// H, or what stands in for it where nothing casts a shadow.
+Bounds body_extent(const Analysis& analysis) {
+  Bounds extent;
+  for (const ConvexBody* body : {&analysis.caster_body, &analysis.receivers_body, &analysis.scene_body}) {
+    for (const glm::dvec3& v : body->vertices) extent.add(v);
+    if (!extent.empty()) return extent;
+  }
+  extent.add(analysis.experiment.camera.position);
+  extent.add(analysis.experiment.camera.target);
+  return extent;
+}
+
 }  // namespace
 
 OrbitCamera orbit_camera(const OrbitSettings& orbit, const glm::dvec3& extent_min, const glm::dvec3& extent_max, double aspect) {
@@ -70,7 +82,9 @@ OrbitCamera orbit_camera(const OrbitSettings& orbit, const glm::dvec3& extent_mi
 
 void view_extent(ViewId id, const Analysis& analysis, glm::dvec3& extent_min, glm::dvec3& extent_max) {
   Bounds extent;
-  if (id == ViewId::cube) {
+  if (id == ViewId::body) {
+    extent = body_extent(analysis);
+  } else if (id == ViewId::cube) {
     extent = {glm::dvec3(-cube_extent), glm::dvec3(cube_extent)};
   } else {
     const Experiment& e = analysis.experiment;
@@ -90,6 +104,7 @@ OrbitCamera view_camera(ViewId id, const Analysis& analysis, double aspect) {
   glm::dvec3 extent_min, extent_max;
   view_extent(id, analysis, extent_min, extent_max);
   const ViewSettings& view = analysis.experiment.view;
+  if (id == ViewId::body) return orbit_camera(view.body, extent_min, extent_max, aspect);
   if (id != ViewId::cube) return orbit_camera(view.world, extent_min, extent_max, aspect);
   const glm::dvec3 mirror(1.0, 1.0, -1.0);
   OrbitSettings orbit = view.cube;

@@ -206,6 +206,8 @@ DrawList probe_list(const Probe& probe, ViewId id, const Analysis& analysis, glm
       return map_probe(probe, analysis);
     case ViewId::eye:
       return eye_probe(probe, analysis);
+    case ViewId::body:
+      return {};
   }
   return {};
 }

@@ -87,6 +87,7 @@ ViewPicture describe_world(const Analysis& analysis, glm::ivec2 size);
 ViewPicture describe_cube(const Analysis& analysis, glm::ivec2 size);
 ViewPicture describe_map(const Analysis& analysis, glm::ivec2 size);
 ViewPicture describe_eye(const Analysis& analysis, glm::ivec2 size);
+ViewPicture describe_body(const Analysis& analysis, glm::ivec2 size);
 
 /// For a view's title: why it is not the map that was asked for, such as ", uniform, not glpr"; "" where it is.
 std::string map_remark(const Analysis& analysis);

@@ -106,7 +106,8 @@ void add_texel_overlay(ViewPicture& picture, const Analysis& analysis, glm::ivec
     picture.overlay = view.eye_overlay;
     picture.legend = heat_legend(view.eye_overlay, analysis);
   }
-  if (!view.texel_grid || picture.scene == ScenePicture::map_depth) return;
+  const bool shows_receivers = picture.scene == ScenePicture::shadowed || picture.scene == ScenePicture::projective;
+  if (!view.texel_grid || !shows_receivers) return;
   picture.texel_step = readable_texel_step(analysis, picture.clip_from_world, size, picture.id == ViewId::eye ? 0.5 : 0.75);
   if (picture.texel_step == 0) return;
   std::string text = "grid: every " + ordinal(picture.texel_step);

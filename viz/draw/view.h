@@ -14,6 +14,7 @@
 namespace psm {
 
 enum class ScenePicture {
+  none,        // the list alone
   shadowed,    // lit, with shadows from the map
   projective,  // the same, after a projective map of the world: drawn twice, the second time negated, so that both sides of w = 0
                // appear
@@ -55,11 +56,12 @@ struct OrbitCamera {
 };
 OrbitCamera orbit_camera(const OrbitSettings& orbit, const glm::dvec3& extent_min, const glm::dvec3& extent_max, double aspect);
 
-/// What distance 0 fits: for the world view the scene with the camera and a position light; for the cube view the cube.
+/// What distance 0 fits: for the world view the scene with the camera and a position light; for the cube view the cube; for the
+/// body view H.
 void view_extent(ViewId id, const Analysis& analysis, glm::dvec3& extent_min, glm::dvec3& extent_max);
 
-/// The camera of the world or cube view, of this aspect. The cube view's is seen through a mirror in z, because clip space is
-/// left-handed: the cube then looks like the world, not like its mirror image. Its `view_from_space` holds the mirror; its eye
+/// The camera of the world, cube or body view, of this aspect. The cube view's is seen through a mirror in z, because clip space
+/// is left-handed: the cube then looks like the world, not like its mirror image. Its `view_from_space` holds the mirror; its eye
 /// and target are in cube coordinates.
 OrbitCamera view_camera(ViewId id, const Analysis& analysis, double aspect);
 

@@ -125,7 +125,7 @@ std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& an
   clear({0, 0, size.x, size.y}, ground);  // the framebuffer may be larger than the picture
   if (picture.scene == ScenePicture::map_depth)
     s.map_pass.draw(picture, s.shadow_pass, scale, theme);
-  else
+  else if (picture.scene != ScenePicture::none)
     s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, theme, ground);
   s.cover_pass.draw(picture);
   clear_outside(picture, size, transparent ? ground : glm::vec4(picture_outside(theme), 1.0f));

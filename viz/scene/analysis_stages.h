@@ -33,9 +33,6 @@ struct Stages {
   bool light_in_scene = false, light_in_receivers = false;  // a position inside S, inside R
 };
 
-/// The square pyramid around a spot light's cone.
-ViewFrame spot_frame(const LightSettings& spot);
-
 /// S, in the grain that the experiment asks for or the scene needs.
 void set_scene_body(const Stages& s, Analysis& a);
 

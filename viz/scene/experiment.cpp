@@ -25,7 +25,7 @@ constexpr std::array kTechniques{
     "minimax_frustum", "plane_optimal", "best_plane", "psm_recipe",       "psm_divided", "psm_two_maps", "custom"};
 constexpr std::array kShiftRules{"auto", "in_front", "inside"};
 constexpr std::array kEyeOverlays{"none", "texel_size", "anisotropy", "errors"};
-constexpr std::array kViews{"world", "cube", "map", "eye"};
+constexpr std::array kViews{"world", "cube", "map", "eye", "body"};
 static_assert(kViews.size() == kAllViews.size());
 
 template <std::size_t N>
@@ -162,8 +162,10 @@ void add_orbit(std::vector<Field>& rows, const std::string& view, OrbitSettings 
 
 void add_view(std::vector<Field>& rows) {
   rows.push_back(Row("view.maximised", maximised_choice(), "", "The one view that fills the window, or none."));
+  rows.push_back(Row("view.tiles", PSM_REF(TilesRef, view.tiles), "", "The views that share the window, in reading order."));
   add_orbit(rows, "view.world", &ViewSettings::world, "scene units");
   add_orbit(rows, "view.cube", &ViewSettings::cube, "half cube sides");
+  add_orbit(rows, "view.body", &ViewSettings::body, "scene units");
   rows.push_back(Row("view.map_center", PSM_REF(Vec2Ref, view.map_center), "half map sides",
                      "The point of the shadow map at the middle of its view.")
                      .within(-1e6, 1e6));
@@ -215,6 +217,11 @@ struct AllowedValues {
     for (const char* rule : kShiftRules) text += std::string(rule) + ", ";
     return text + "or a number in " + range_text(field);
   }
+  std::string operator()(const TilesRef&) const {
+    std::string text = "one to four of: ";
+    for (std::size_t i = 0; i < kViews.size(); ++i) text += (i > 0 ? std::string(", ") : "") + kViews[i];
+    return text + "; none twice";
+  }
   std::string operator()(const AutoPixelRef&) const { return field.absent + ", or two numbers in " + range_text(field); }
   std::string operator()(const AutoPlaneRef&) const {
     return field.absent + ", or four numbers a, b, c, d in " + range_text(field) + " with a, b, c not all (nearly) zero";
@@ -251,6 +258,11 @@ struct ValueText {
     const CameraShift& shift = read(ref, experiment);
     const double* value = std::get_if<double>(&shift);
     return value ? number_text(*value) : name_of(std::get<ShiftRule>(shift));
+  }
+  std::string operator()(const TilesRef& ref) const {
+    std::string text;
+    for (const ViewId id : read(ref, experiment)) text += (text.empty() ? "" : ",") + std::string(name_of(id));
+    return text;
   }
   std::string operator()(const AutoPixelRef& ref) const {
     const auto& value = read(ref, experiment);
@@ -296,6 +308,12 @@ struct InRange {
     const CameraShift& shift = read(ref, experiment);
     const double* value = std::get_if<double>(&shift);
     return !value || number(*value);
+  }
+  bool operator()(const TilesRef& ref) const {
+    const std::vector<ViewId>& tiles = read(ref, experiment);
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+      if (std::count(tiles.begin(), tiles.end(), tiles[i]) > 1) return false;
+    return !tiles.empty() && tiles.size() <= kMostTiles;
   }
   bool operator()(const AutoPixelRef& ref) const {
     const auto& value = read(ref, experiment);
@@ -398,6 +416,12 @@ std::optional<ShiftRule> shift_rule_from_name(const std::string& name) {
   const auto found = std::find(kShiftRules.begin(), kShiftRules.end(), name);
   if (found == kShiftRules.end()) return std::nullopt;
   return ShiftRule(found - kShiftRules.begin());
+}
+
+std::optional<ViewId> view_from_name(const std::string& name) {
+  const auto found = std::find(kViews.begin(), kViews.end(), name);
+  if (found == kViews.end()) return std::nullopt;
+  return ViewId(found - kViews.begin());
 }
 
 bool shifts_camera(Technique technique) {

@@ -50,8 +50,10 @@ enum class Focus { bounds, visible };
 enum class WarpRange { receivers, frustum };
 enum class SceneBody { box, hull, automatic };
 enum class EyeOverlay { none, texel_size, anisotropy, errors };
-enum class ViewId { world, cube, map, eye };
-inline constexpr std::array kAllViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};  // by value
+enum class ViewId { world, cube, map, eye, body };
+inline constexpr std::array kAllViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye, ViewId::body};  // by value
+inline constexpr std::array kMainViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};  // shown unless asked otherwise
+inline constexpr std::size_t kMostTiles = 4;
 
 struct SceneSettings {
   std::string source = "chessboard";
@@ -90,14 +92,14 @@ struct ShadowSettings {
   NearFit near_fit = NearFit::bounds;
   Focus focus = Focus::bounds;
   WarpRange warp_range = WarpRange::receivers;
-  SceneBody scene_body = SceneBody::box;  // S
+  SceneBody scene_body = SceneBody::box;     // S
   std::optional<glm::dvec4> receiver_plane;  // none: auto
   std::optional<glm::dvec4> plane;           // vanishing plane of technique custom
   bool operator==(const ShadowSettings&) const = default;
 };
 
-/// How one three-dimensional view (world or cube) is looked at: an orbit around `target`. `distance` 0: fit what it shows.
-/// World: scene units. Cube: units of the cube, whose half side is 1.
+/// How one three-dimensional view is looked at: an orbit around `target`. `distance` 0: fit what it shows. World and body: scene
+/// units. Cube: units of the cube, whose half side is 1.
 struct OrbitSettings {
   glm::dvec3 target{0.0};
   double yaw_deg = 35.0, pitch_deg = 25.0, distance = 0.0;
@@ -106,8 +108,9 @@ struct OrbitSettings {
 
 /// Which views are open, and how each is looked at.
 struct ViewSettings {
-  std::optional<ViewId> maximised;  // none: all four
-  OrbitSettings world, cube;
+  std::vector<ViewId> tiles{kMainViews.begin(), kMainViews.end()};  // one to four, none twice
+  std::optional<ViewId> maximised;                                  // none: the tiles
+  OrbitSettings world, cube, body;
   glm::dvec2 map_center{0.0};                 // map clip space
   double map_zoom = 1.0;                      // 1: the whole map
   EyeOverlay eye_overlay = EyeOverlay::none;  // what the eye view's colours mean
@@ -139,14 +142,15 @@ using IntRef = std::function<int&(Experiment&)>;
 using Vec2Ref = std::function<glm::dvec2&(Experiment&)>;
 using Vec3Ref = std::function<glm::dvec3&(Experiment&)>;
 using TextRef = std::function<std::string&(Experiment&)>;
-using ShiftRef = std::function<CameraShift&(Experiment&)>;                    // a rule's name or a number
+using ShiftRef = std::function<CameraShift&(Experiment&)>;  // a rule's name or a number
+using TilesRef = std::function<std::vector<ViewId>&(Experiment&)>;
 using AutoPixelRef = std::function<std::optional<glm::dvec2>&(Experiment&)>;  // null, or [x, y]
 using AutoPlaneRef = std::function<std::optional<glm::dvec4>&(Experiment&)>;  // "auto" or null, or [a, b, c, d]
 
 /// One row: a member that a user can set.
 struct Field {
   std::string path;  // JSON path, such as "camera.near"
-  std::variant<NumberRef, IntRef, Vec2Ref, Vec3Ref, TextRef, ShiftRef, AutoPixelRef, AutoPlaneRef, Choice> member;
+  std::variant<NumberRef, IntRef, Vec2Ref, Vec3Ref, TextRef, ShiftRef, TilesRef, AutoPixelRef, AutoPlaneRef, Choice> member;
   std::string unit;                         // "" where there is none; "deg", "texels", "scene units", "px"
   double min = -1e300, max = 1e300;         // of a number or of each component
   bool open_min = false, open_max = false;  // the bound itself is not allowed
@@ -187,6 +191,7 @@ const char* name_of(Technique);
 const char* name_of(ViewId);
 const char* name_of(ShiftRule);
 const char* name_of(EyeOverlay);
+std::optional<ViewId> view_from_name(const std::string& name);
 std::vector<std::string> technique_names();
 std::optional<ShiftRule> shift_rule_from_name(const std::string& name);
 /// Whether the technique looks from a shifted eye.

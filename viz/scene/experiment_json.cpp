@@ -133,6 +133,16 @@ struct ReadJson {
     if (number) ref(experiment) = *number;
     return number.has_value();
   }
+  bool operator()(const TilesRef& ref) const {
+    if (!json.is_array()) return false;
+    std::vector<ViewId> tiles;
+    for (const ordered_json& name : json) {
+      const auto view = name.is_string() ? view_from_name(name.get<std::string>()) : std::nullopt;
+      if (!view) return false;
+      tiles.push_back(*view);
+    }
+    return ref(experiment) = tiles, true;
+  }
   bool operator()(const AutoPixelRef& ref) const { return or_absent<2>(ref(experiment)); }
   bool operator()(const AutoPlaneRef& ref) const { return or_absent<4>(ref(experiment)); }
   template <int N>
@@ -198,6 +208,11 @@ struct MemberNode {
     const CameraShift& shift = ref(experiment);
     const double* value = std::get_if<double>(&shift);
     return value ? JsonNode(*value) : JsonNode(name_of(std::get<ShiftRule>(shift)));
+  }
+  JsonNode operator()(const TilesRef& ref) const {
+    JsonNode list = JsonNode::array();
+    for (const ViewId id : ref(experiment)) list.push_back(name_of(id));
+    return list;
   }
   JsonNode operator()(const AutoPixelRef& ref) const {
     const auto& value = ref(experiment);

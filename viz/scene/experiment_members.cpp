@@ -51,6 +51,17 @@ struct ReadText {
     if (number) ref(experiment) = *number;
     return number.has_value();
   }
+  bool operator()(const TilesRef& ref) const {
+    std::vector<ViewId> tiles;
+    for (std::size_t start = 0; start <= text.size();) {
+      const std::size_t end = std::min(text.find(',', start), text.size());
+      const auto view = view_from_name(text.substr(start, end - start));
+      if (!view) return false;
+      tiles.push_back(*view);
+      start = end + 1;
+    }
+    return ref(experiment) = tiles, true;
+  }
   bool operator()(const AutoPixelRef& ref) const { return or_absent<2>(ref(experiment)); }
   bool operator()(const AutoPlaneRef& ref) const { return or_absent<4>(ref(experiment)); }
   template <int N>

@@ -14,6 +14,12 @@ inline ViewFrame camera_frame(const Experiment& x) {
   return view_frame(x.camera.position, x.camera.target - x.camera.position, x.camera.up, tan_y * x.image.aspect(), tan_y);
 }
 
+/// The square pyramid around a spot's cone.
+inline ViewFrame spot_frame(const LightSettings& spot) {
+  const double tangent = std::tan(spot.cone_deg * kRadiansPerDegree / 2);
+  return view_frame(spot.position, spot.target - spot.position, glm::dvec3(0, 1, 0), tangent, tangent);
+}
+
 /// World space, towards the light, as given: (to_light, 0) or (position, 1).
 inline glm::dvec4 homogeneous_light(const LightSettings& light) {
   return light.type == LightType::directional ? glm::dvec4(light.to_light, 0) : glm::dvec4(light.position, 1);

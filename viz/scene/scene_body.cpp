@@ -50,11 +50,6 @@ std::string percent(double fraction) { return number_text(std::round(1000 * frac
 
 }  // namespace
 
-ViewFrame spot_frame(const LightSettings& l) {
-  const double tangent = std::tan(l.cone_deg * kRadiansPerDegree / 2);
-  return view_frame(l.position, l.target - l.position, glm::dvec3(0, 1, 0), tangent, tangent);
-}
-
 void set_scene_body(const Stages& s, Analysis& a) {
   Bounds b = s.scene.bounds;
   if (b.empty()) b.min = b.max = s.view.at(0, 0, s.x.camera.near);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/tile_menu.h"
+
 namespace psm {
 namespace {
 
@@ -140,6 +142,16 @@ struct RowWidgets {
     ImGui::SameLine();
     component(*number, 0, field.path, ImGui::GetContentRegionAvail().x - reset_width());
   }
+  /// A menu for each tile, and one more to open another.
+  void operator()(const TilesRef& ref) const {
+    std::vector<ViewId>& tiles = ref(experiment);
+    const std::size_t shown = std::min(tiles.size() + 1, kMostTiles);
+    const float half = std::floor(0.5f * (full_width() - ImGui::GetStyle().ItemInnerSpacing.x));
+    for (std::size_t place = 0; place < shown; ++place) {
+      if (place % 2 == 1) ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+      tile_field(ui, field.path + "." + std::to_string(place), half, place, tiles);
+    }
+  }
   void operator()(const AutoPixelRef& ref) const {
     const ImageSettings& image = experiment.image;
     or_absent(ref(experiment), {0.5 * image.width, 0.5 * image.height}, [this](glm::dvec2& pixel) { components(pixel); });
@@ -179,8 +191,8 @@ std::string field_tooltip(const Field& field, const Experiment& experiment) {
 }
 
 bool needs_own_line(const Field& field) {
-  return std::holds_alternative<Vec3Ref>(field.member) || std::holds_alternative<AutoPixelRef>(field.member) ||
-         std::holds_alternative<AutoPlaneRef>(field.member);
+  return std::holds_alternative<Vec3Ref>(field.member) || std::holds_alternative<TilesRef>(field.member) ||
+         std::holds_alternative<AutoPixelRef>(field.member) || std::holds_alternative<AutoPlaneRef>(field.member);
 }
 
 void reset_button(UiContext& ui, const Field& field, Experiment& experiment) {

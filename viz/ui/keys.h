@@ -23,6 +23,7 @@ enum class Action {
   maximise_cube,
   maximise_map,
   maximise_eye,
+  maximise_body,
   show_all,
   toggle_pane,
   toggle_theme,

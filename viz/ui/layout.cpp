@@ -9,22 +9,24 @@ namespace {
 
 int part(int whole, double fraction) { return int(std::lround(whole * fraction)); }
 
-void place_four(Layout& out, const Rect& area, const LayoutSettings& settings, int splitter) {
+void place_tiles(Layout& out, const Rect& area, const std::vector<ViewId>& tiles, const LayoutSettings& settings, int splitter) {
   const glm::ivec2 size = area.size();
+  const std::size_t count = tiles.size();
   const int left = area.min.x + std::max(0, part(size.x, settings.column) - splitter / 2), right = left + splitter;
-  const int top = area.min.y + std::max(0, part(size.y, settings.row) - splitter / 2), below = top + splitter;
-  out.views[std::size_t(ViewId::world)] = {area.min, {left, top}};
-  out.views[std::size_t(ViewId::cube)] = {{right, area.min.y}, {area.max.x, top}};
-  out.views[std::size_t(ViewId::map)] = {{area.min.x, below}, {left, area.max.y}};
-  out.views[std::size_t(ViewId::eye)] = {{right, below}, area.max};
-  out.column_splitter = {{left, area.min.y}, {right, area.max.y}};
-  out.row_splitter = {{area.min.x, top}, {area.max.x, below}};
+  const int above = area.min.y + std::max(0, part(size.y, settings.row) - splitter / 2), below = above + splitter;
+  const int first_row = count > 2 ? above : area.max.y;
+  std::vector<Rect> places{{area.min, {left, first_row}}, {{right, area.min.y}, {area.max.x, first_row}}};
+  if (count == 1) places = {area};
+  if (count == 3) places.push_back({{area.min.x, below}, area.max});
+  if (count == 4) places.insert(places.end(), {{{area.min.x, below}, {left, area.max.y}}, {{right, below}, area.max}});
+  for (std::size_t i = 0; i < count; ++i) out.views[std::size_t(tiles[i])] = places[i];
+  if (count > 1) out.column_splitter = {{left, area.min.y}, {right, count == 3 ? above : area.max.y}};
+  if (count > 2) out.row_splitter = {{area.min.x, above}, {area.max.x, below}};
 }
 
 }  // namespace
 
-Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, std::optional<ViewId> maximised, int badge_height,
-               int splitter) {
+Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, const ViewSettings& view, int badge_height, int splitter) {
   Layout out;
   const int bottom = std::max(0, window.y - badge_height);
   out.badges = {{0, bottom}, window};
@@ -35,10 +37,7 @@ Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, std::optional<
     out.pane_splitter = {{area.max.x, 0}, {pane_left, bottom}};
     out.pane = {{pane_left, 0}, {window.x, bottom}};
   }
-  if (maximised)
-    out.views[std::size_t(*maximised)] = area;
-  else
-    place_four(out, area, settings, splitter);
+  place_tiles(out, area, view.maximised ? std::vector<ViewId>{*view.maximised} : view.tiles, settings, splitter);
   return out;
 }
 

@@ -22,16 +22,16 @@ struct Rect {
 using ViewSizes = std::array<glm::ivec2, kAllViews.size()>;  // by ViewId, in pixels; 0: hidden
 
 struct Layout {
-  std::array<Rect, kAllViews.size()> views;  // by ViewId; empty: hidden
-  Rect pane, badges;                         // pane empty: hidden
-  Rect pane_splitter, column_splitter, row_splitter;
+  std::array<Rect, kAllViews.size()> views;           // by ViewId; empty: hidden
+  Rect pane, badges;                                  // pane empty: hidden
+  Rect pane_splitter, column_splitter, row_splitter;  // empty: nothing to divide
   bool visible(ViewId id) const { return !views[std::size_t(id)].empty(); }
   const Rect& view(ViewId id) const { return views[std::size_t(id)]; }
 };
 
-/// `badge_height` and `splitter` (the dividers' thickness) in pixels.
-Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, std::optional<ViewId> maximised, int badge_height,
-               int splitter);
+/// The tiles, one to four in reading order: two side by side, a third below them over the full width, or two rows of two; a
+/// maximised view has their place for itself. `badge_height` and `splitter` (the dividers' thickness) in pixels.
+Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, const ViewSettings& view, int badge_height, int splitter);
 
 /// The settings after a divider was dragged to this pixel.
 enum class Splitter { pane, column, row };

@@ -59,6 +59,7 @@ std::optional<Probe> probe_under(const PointedAt& at, const Model& model, const 
     case ViewId::map:
       return probe_from(pick_in_map(at, model, images), model);
     case ViewId::cube:
+    case ViewId::body:
       return std::nullopt;
   }
   return std::nullopt;

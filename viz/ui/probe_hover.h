@@ -18,7 +18,7 @@ struct PointedAt {
   bool operator==(const PointedAt&) const = default;
 };
 
-/// The probe at a pixel of the eye, world or map view; nothing over the cube, or where there is no surface.
+/// The probe at a pixel of the eye, world or map view; nothing over other views, or where there is no surface.
 std::optional<Probe> probe_under(const PointedAt& at, const Model& model, const ViewImages& images);
 
 /// The probe that the experiment itself asks for.

@@ -15,8 +15,8 @@
 namespace psm {
 
 /// In the order of a frame.
-enum class Stage { points, analysis, scene, map, truth, view_world, view_cube, view_map, view_eye, gain, interface };
-inline constexpr std::size_t kStages = 11;
+enum class Stage { points, analysis, scene, map, truth, view_world, view_cube, view_map, view_eye, view_body, gain, interface };
+inline constexpr std::size_t kStages = 12;
 
 const char* name_of(Stage stage);
 Stage stage_of(ViewId view);

@@ -40,6 +40,7 @@ struct Clamp {
   void operator()(const AutoPlaneRef& ref) const {
     if (auto& x = ref(experiment)) vector(*x);
   }
+  void operator()(const TilesRef&) const {}
   void operator()(const TextRef&) const {}
   void operator()(const Choice&) const {}
 };

@@ -13,9 +13,13 @@ ViewSettings relevant(ViewId id, const ViewSettings& view) {
   if (id == ViewId::cube) out.cube = view.cube;
   if (id == ViewId::map) out.map_center = view.map_center, out.map_zoom = view.map_zoom;
   if (id == ViewId::eye) out.eye_overlay = view.eye_overlay;
-  if (id != ViewId::map) out.texel_grid = view.texel_grid;
+  if (id == ViewId::body) out.body = view.body;
+  if (id == ViewId::world || id == ViewId::cube || id == ViewId::eye) out.texel_grid = view.texel_grid;
   return out;
 }
+
+/// Drawn from the analysis alone: neither the scene nor the shadow map is needed.
+bool is_drawing(ViewId id) { return id == ViewId::body; }
 
 double aspect_of_size(glm::ivec2 size) { return size.x > 0 && size.y > 0 ? double(size.x) / size.y : 1.0; }
 
@@ -38,6 +42,7 @@ ViewSettings FittedOrbits::shown(const Model& model, const ViewSizes& sizes) {
   if (size(ViewId::world).x > 0)
     view.world = fitted(world_, ViewId::world, view.world, model, aspect_of_size(size(ViewId::world)));
   if (size(ViewId::cube).x > 0) view.cube = fitted(cube_, ViewId::cube, view.cube, model, aspect_of_size(size(ViewId::cube)));
+  if (size(ViewId::body).x > 0) view.body = fitted(body_, ViewId::body, view.body, model, aspect_of_size(size(ViewId::body)));
   return view;
 }
 
@@ -82,7 +87,7 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
     const bool has_errors = wants_errors && errors_ && errors_of_ == model.analysis_revision();
     const Key key{model.analysis_revision(), relevant(id, shown), size, scale, theme, has_errors ? errors_of_ : 0};
     if (view.texture != 0 && view.key == key) continue;
-    upload(model, profile);
+    if (!is_drawing(id)) upload(model, profile);
     profile.run(stage_of(id), [&] {
       view.picture = describe_view(id, analysis_, model.scene(), size);
       if (has_errors) show_errors(view.picture, *errors_);

@@ -21,7 +21,7 @@ class FittedOrbits {
  public:
   /// The views with every orbit written out.
   ViewSettings shown(const Model& model, const ViewSizes& sizes);
-  void fit_again() { world_.reset(), cube_.reset(); }
+  void fit_again() { world_.reset(), cube_.reset(), body_.reset(); }
 
  private:
   struct Fit {
@@ -31,7 +31,7 @@ class FittedOrbits {
     OrbitSettings orbit;
   };
   static OrbitSettings fitted(std::optional<Fit>& fit, ViewId id, const OrbitSettings& asked, const Model& model, double aspect);
-  std::optional<Fit> world_, cube_;
+  std::optional<Fit> world_, cube_, body_;
 };
 
 class ViewImages {

@@ -30,7 +30,9 @@ Mouse mouse_in(const Rect& picture) {
           glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / height, io.KeyShift, io.KeyAlt};
 }
 
-OrbitSettings& orbit_of(ViewId id, ViewSettings& view) { return id == ViewId::world ? view.world : view.cube; }
+OrbitSettings& orbit_of(ViewId id, ViewSettings& view) {
+  return id == ViewId::world ? view.world : id == ViewId::cube ? view.cube : view.body;
+}
 
 double aspect(const Rect& rect) { return double(rect.size().x) / std::max(1, rect.size().y); }
 
@@ -179,7 +181,7 @@ void draw_tile(UiContext& ui, ViewId id, const Rect& picture, const ViewImages& 
   // The texture's first row is the bottom one.
   list->AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(images.texture(id))), corner, end, {0, 1}, {1, 0});
   if (id == ViewId::world) draw_handles(ui, picture, images, drag);
-  const bool solid = id == ViewId::world || id == ViewId::cube;
+  const bool solid = id == ViewId::world || id == ViewId::cube || id == ViewId::body;
   if (solid && drag.kind == ViewDrag::Kind::none && rested_on(name_of(id))) draw_facet(ui, id, picture, images);
   list->PopClipRect();
 }

@@ -13,6 +13,7 @@
 #include "ui/eye_tools.h"
 #include "ui/field_widgets.h"
 #include "ui/numbers_pane.h"
+#include "ui/tile_menu.h"
 
 namespace psm {
 namespace {
@@ -93,7 +94,7 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   places_.clear();
   const double scale = look(display_scale).scale;
   const int splitter = std::max(2, int(std::lround(6.0 * scale)));
-  const Layout layout = lay_out(size, settings_.layout, model_.experiment().view.maximised, badge_bar_height(size.x), splitter);
+  const Layout layout = lay_out(size, settings_.layout, model_.experiment().view, badge_bar_height(size.x), splitter);
   Frame f{size, scale, ImGui::GetTime(), layout, {model_, settings_.theme, scale, places_, experiments_}, model_.experiment(),
           "",   false};
 
@@ -164,6 +165,7 @@ void Workbench::tiles(Frame& f) {
     if (rect.empty() || !ImGui::IsItemHovered() || ImGui::IsAnyMouseDown()) continue;
     pointed_ = PointedAt{id, glm::dvec2(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y) - glm::dvec2(rect.min)};
   }
+  for (ViewId id : kAllViews) tile_menu(f.ui, id, f.layout.view(id), images_.picture(id).title, f.edited.view);
   if (!f.layout.view(ViewId::eye).empty()) eye_tools(f.ui, f.layout.view(ViewId::eye), f.edited);
 }
 

@@ -24,6 +24,8 @@ std::optional<ViewId> view_of(Action action) {
       return ViewId::map;
     case Action::maximise_eye:
       return ViewId::eye;
+    case Action::maximise_body:
+      return ViewId::body;
     default:
       return std::nullopt;
   }
@@ -142,7 +144,7 @@ void Workbench::maximise(std::optional<ViewId> view) {
 void Workbench::fit_views() {
   Experiment edited = model_.experiment();
   const ViewSettings fitted;
-  edited.view.world = fitted.world, edited.view.cube = fitted.cube;
+  edited.view.world = fitted.world, edited.view.cube = fitted.cube, edited.view.body = fitted.body;
   edited.view.map_center = fitted.map_center, edited.view.map_zoom = fitted.map_zoom;
   fitted_.fit_again();
   commit_now(edited);
@@ -211,7 +213,7 @@ void Workbench::open(const std::string& source) {
 
 std::string Workbench::window_title() const { return "psmlab: " + scene_stem(model_.experiment()); }
 
-// A view that is alone is saved by itself; all four come with everything around them.
+// A view that is alone is saved by itself; several come with everything around them.
 void Workbench::ask_for_picture() {
   const auto alone = model_.experiment().view.maximised;
   if (alone && images_.texture(*alone) != 0)
