@@ -16,14 +16,17 @@ fs::path existing(const fs::path& path, const char* remedy) {
   std::exit(1);
 }
 
-}  // namespace
-
-fs::path assets_folder() {
+fs::path shared_folder(const char* name) {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return existing((program.parent_path() / "../share/psmlab/assets").lexically_normal(),
+  return existing((program.parent_path() / "../share/psmlab" / name).lexically_normal(),
                   "install psmlab, or run it where its build folder put it");
 }
+
+}  // namespace
+
+fs::path assets_folder() { return shared_folder("assets"); }
+fs::path lessons_folder() { return shared_folder("lessons"); }
 
 fs::path font_file() {
   return existing("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "install the Debian package fonts-dejavu-core");

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/figure.h"
+#include "app/lessons.h"
 #include "app/measure.h"
 #include "app/report.h"
 
@@ -29,6 +30,7 @@ struct Arguments {
   std::string scenes_folder;
   MeasureArguments measure;
   ReportArguments report;
+  std::vector<std::string> lesson_files;
 };
 
 CLI::Option* add_experiment(CLI::App& app, ExperimentArguments& arguments) {
@@ -163,14 +165,28 @@ int parse_and_run(int argc, char** argv) {
   add_report(reported, arguments.report);
   CLI::App& scenes = *app.add_subcommand("scenes", "Lists the built-in scenes, or writes them as .glb");
   CLI::Option* write = scenes.add_option("--write", arguments.scenes_folder, "The folder to write them to")->type_name("DIR");
+  CLI::App& lesson = *app.add_subcommand("lesson", "Lists and checks lessons");
+  lesson.require_subcommand(1);
+  lesson.add_subcommand("list", "Prints the shipped lessons, one a line");
+  CLI::App& lesson_check = *lesson.add_subcommand(
+      "check", "Checks lessons: what is wrong, with file and line, what is allowed; whether tasks can be done and claims hold");
+  lesson_check
+      .add_option("FILE", arguments.lesson_files,
+                  "A lesson's folder, its lesson.json, or a shipped lesson's name; without it, all shipped lessons")
+      ->type_name("");
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForVersion& version) {
     return print(std::string(version.what()) + "\n") && std::fflush(stdout) == 0 ? kDone : kOtherFailure;
   } catch (const CLI::CallForHelp&) {
-    const auto used = app.get_subcommands();
-    const std::string help = used.empty() ? app.help() : used.front()->help("psmlab");
+    const CLI::App* asked = &app;
+    std::string before;
+    for (auto used = app.get_subcommands(); !used.empty(); used = asked->get_subcommands()) {
+      before += (before.empty() ? "" : " ") + asked->get_name();
+      asked = used.front();
+    }
+    const std::string help = asked->help(before);
     return print(help) && std::fflush(stdout) == 0 ? kDone : kOtherFailure;
   } catch (const CLI::ParseError& error) {
     return refuse(error, app);
@@ -189,6 +205,7 @@ int parse_and_run(int argc, char** argv) {
   if (measured.parsed()) return measure(arguments.measure);
   if (reported.parsed()) return report(arguments.report);
   if (scenes.parsed()) return write->count() > 0 ? write_scenes(arguments.scenes_folder) : list_scenes();
+  if (lesson.parsed()) return lesson_check.parsed() ? check_lessons(arguments.lesson_files) : list_lessons();
   return show_window(arguments.experiment);
 }
 

@@ -2,7 +2,7 @@
 # cmake --install, and a Debian package: cmake --workflow --preset package
 install(TARGETS psmlab)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/assets ${CMAKE_SOURCE_DIR}/lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/psmlab
-        PATTERN desktop EXCLUDE PATTERN pictures EXCLUDE PATTERN .gitkeep EXCLUDE)
+        PATTERN desktop EXCLUDE PATTERN pictures EXCLUDE)
 install(FILES ${CMAKE_SOURCE_DIR}/assets/desktop/psmlab.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${CMAKE_SOURCE_DIR}/assets/desktop/psmlab.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rooms of the house: who may include whom, where third-party libraries may be seen, and the licence line of every file.
-// math <- geom <- scene <- measure, draw <- gl, ui, figure <- app
+// math <- geom <- scene <- measure, draw, lesson <- gl, ui, figure <- app
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,10 +29,11 @@ const std::map<std::string, std::set<std::string>>& rooms_seen_from() {
       {"scene", {"math", "geom"}},
       {"measure", {"math", "geom", "scene"}},
       {"draw", {"math", "geom", "scene"}},
+      {"lesson", {"math", "geom", "scene"}},
       {"gl", {"math", "geom", "scene", "measure", "draw"}},
       {"figure", {"math", "geom", "scene", "measure", "draw"}},
-      {"ui", {"math", "geom", "scene", "measure", "draw", "gl"}},
-      {"app", {"math", "geom", "scene", "measure", "draw", "gl", "figure", "ui"}}};
+      {"ui", {"math", "geom", "scene", "measure", "draw", "lesson", "gl"}},
+      {"app", {"math", "geom", "scene", "measure", "draw", "lesson", "gl", "figure", "ui"}}};
   return seen;
 }
 
@@ -47,13 +48,14 @@ const std::vector<Quarantine>& quarantines() {
       {"GLFW", std::regex("GLFW/.*"), std::regex("app/.*\\.cpp")},
       {"Dear ImGui", std::regex("imgui.*"), std::regex("(viz/ui|app)/.*")},
       {"tinygltf", std::regex("tiny_gltf.*"), std::regex("viz/scene/.*\\.cpp")},
-      {"nlohmann-json", std::regex("nlohmann/.*"), std::regex("viz/(scene|figure)/.*\\.cpp")},
+      {"nlohmann-json", std::regex("nlohmann/.*"), std::regex("viz/(scene|lesson|figure)/.*\\.cpp")},
       {"Cairo", std::regex("cairo.*"), std::regex("viz/figure/page_pdf\\.cpp")},
+      {"md4c", std::regex("md4c.*"), std::regex("viz/lesson/.*\\.cpp")},
       {"CGAL", std::regex("CGAL/.*"), std::regex("viz/(geom/.*|measure/ray_engine_cgal)\\.cpp")},
       {"Embree", std::regex("embree.*"), std::regex("viz/measure/.*\\.cpp")},
       {"Boost", std::regex("boost/.*"), std::regex("viz/measure/wide\\.cpp")},
       {"CLI11", std::regex("CLI/.*"), std::regex("app/.*\\.cpp")},
-      {"stb", std::regex("stb.*"), std::regex("viz/(scene|gl|figure)/.*\\.cpp")}};
+      {"stb", std::regex("stb.*"), std::regex("viz/(scene|lesson|gl|figure)/.*\\.cpp")}};
   return list;
 }
 
@@ -185,6 +187,8 @@ TEST(LayerRules, KeepLibrariesInTheirRooms) {
   EXPECT_EQ(faults("viz/ui/panel.cpp", "imgui.h"), 0u);
   EXPECT_EQ(faults("viz/scene/gltf.h", "tiny_gltf.h"), 1u);
   EXPECT_EQ(faults("viz/scene/gltf.cpp", "nlohmann/json.hpp"), 0u);
+  EXPECT_EQ(faults("viz/lesson/markdown.cpp", "md4c.h"), 0u);
+  EXPECT_EQ(faults("viz/ui/panel.cpp", "md4c.h"), 1u);
   EXPECT_EQ(faults("viz/geom/body.h", "CGAL/Interval_nt.h"), 1u);
   EXPECT_EQ(faults("viz/geom/body.cpp", "CGAL/Interval_nt.h"), 0u);
   EXPECT_EQ(faults("viz/measure/ray_engine_cgal.cpp", "CGAL/AABB_tree.h"), 0u);

@@ -119,6 +119,10 @@ Result<LoadedExperiment> from_scene(const std::string& source, const std::vector
 
 }  // namespace
 
+Result<LoadedExperiment> load_members(const ExperimentMembers& members, const std::string& place, const fs::path& base) {
+  return resolve(members, place + ": ", {}, base);
+}
+
 Result<LoadedExperiment> parse_experiment(const std::string& json_text, const std::string& name, const fs::path& base,
                                           const std::vector<std::string>& overrides) {
   const auto file = members_from_json(json_text);

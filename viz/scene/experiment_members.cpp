@@ -115,6 +115,12 @@ void ExperimentMembers::copy_to(Experiment& experiment) const {
   for (const Field* field : set) copy_member(*field, values, experiment);
 }
 
+void ExperimentMembers::add(const ExperimentMembers& over) {
+  over.copy_to(values);
+  for (const Field* field : over.set)
+    if (!has(field->path)) set.push_back(field);
+}
+
 Result<ExperimentMembers> members_from_overrides(const std::vector<std::string>& overrides) {
   ExperimentMembers members;
   for (const std::string& text : overrides) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Members of an experiment as they come in, from a file or from --set, before they go over a scene's own camera and light.
-// Private to viz/scene.
+// Members of an experiment as they come in, from a file, from --set or from a lesson, before they go over a scene's own camera
+// and light.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "scene/experiment.h"
+#include "scene/experiment_file.h"
 #include "scene/result.h"
 
 namespace psm {
@@ -18,6 +19,8 @@ struct ExperimentMembers {
 
   bool has(const std::string& path) const;
   void copy_to(Experiment& experiment) const;
+  /// These values go over the ones here.
+  void add(const ExperimentMembers& over);
 };
 
 /// From JSON text. Errors start at the JSON path.
@@ -25,6 +28,10 @@ Result<ExperimentMembers> members_from_json(const std::string& json_text);
 
 /// From "PATH=VALUE" each. Errors start at the path.
 Result<ExperimentMembers> members_from_overrides(const std::vector<std::string>& overrides);
+
+/// Defaults, the scene's own camera and light, then the members. Errors start with `place`.
+Result<LoadedExperiment> load_members(const ExperimentMembers& members, const std::string& place,
+                                      const std::filesystem::path& base);
 
 /// What a user typed, fit for a line of a message: no control characters, at most 80 bytes.
 std::string quotable(const std::string& text);

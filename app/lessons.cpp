@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include "app/assets.h"
+#include "app/command_line.h"
+#include "app/commands.h"
+#include "lesson/font_face.h"
+#include "measure/ray_tracer.h"
+#include "measure/texel_analysis.h"
+#include "measure/visible_image.h"
+
+namespace psm {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> names_of(const std::vector<fs::path>& folders) {
+  std::vector<std::string> names;
+  for (const fs::path& folder : folders) names.push_back(folder.filename().string());
+  return names;
+}
+
+/// The folder that a FILE means; nothing where there is none.
+Result<fs::path> lesson_folder(const std::string& file) {
+  std::error_code error;
+  const fs::path path = file;
+  if (path.filename() == "lesson.json" || path.filename() == "text.md")
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (fs::is_directory(path, error)) return path;
+  const fs::path shipped = lessons_folder() / path;
+  if (!file.empty() && path.is_relative() && fs::exists(shipped / "lesson.json", error)) return shipped;
+  return InputError{quotable(file) +
+                    ": is no lesson; allowed: a lesson's folder, its lesson.json, or the name of a lesson that "
+                    "psmlab lesson list prints"};
+}
+
+std::string font_bytes() {
+  std::ifstream stream(font_file(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string verdict(const Lesson& lesson) {
+  std::size_t questions = 0, tasks = 0, claims = 0;
+  for (const Step& step : lesson.steps)
+    questions += step.questions.size(), tasks += step.tasks.size(), claims += step.claims.size();
+  return lesson.name + ": fine: " + counted(lesson.steps.size(), "step") + ", " + counted(questions, "question") + ", " +
+         counted(tasks, "task") + ", " + counted(claims, "claim") + "\n";
+}
+
+/// Lessons beside this one, and the shipped ones.
+std::vector<std::string> reachable_lessons(const fs::path& folder) {
+  std::vector<std::string> names = names_of(lesson_folders(fs::absolute(folder).lexically_normal().parent_path()));
+  for (const std::string& name : names_of(lesson_folders(lessons_folder())))
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
+}  // namespace
+
+Analyze ray_traced_analyze() {
+  struct Last {
+    std::string source;
+    std::optional<RayTracer> tracer;
+  };
+  const auto last = std::make_shared<Last>();
+  return [last](const LoadedExperiment& loaded, bool texels) {
+    if (texels) return analyze_with_texels(loaded.experiment, loaded.scene);
+    const std::string source = (loaded.base / loaded.experiment.scene.source).string();
+    if (!last->tracer || last->source != source) last->source = source, last->tracer.emplace(loaded.scene);
+    return analyze(loaded.experiment, loaded.scene, *last->tracer);
+  };
+}
+
+int list_lessons() {
+  std::string text;
+  for (const fs::path& folder : lesson_folders(lessons_folder())) {
+    const auto lesson = read_lesson(folder);
+    if (!lesson) return bad_input(lesson.error());
+    text += lesson->name + ": " + lesson->title + ". " + lesson->summary + "\n";
+  }
+  return finish_printing(print(text));
+}
+
+int check_lessons(const std::vector<std::string>& files) {
+  std::vector<fs::path> folders;
+  for (const std::string& file : files) {
+    const auto folder = lesson_folder(file);
+    if (!folder) return bad_input(folder.error());
+    folders.push_back(*folder);
+  }
+  if (files.empty()) folders = lesson_folders(lessons_folder());
+  const FontFace font(font_bytes());
+  LessonSurroundings surroundings{ray_traced_analyze(), [&](char32_t point) { return font.has(point); }, {}};
+  bool all_fine = true;
+  std::string text;
+  for (const fs::path& folder : folders) {
+    const auto lesson = read_lesson(folder);
+    if (!lesson) {
+      complain(lesson.error().text);
+      all_fine = false;
+      continue;
+    }
+    surroundings.lessons = reachable_lessons(folder);
+    const std::vector<InputError> errors = check_lesson(*lesson, surroundings);
+    for (const InputError& error : errors) complain(error.text);
+    if (errors.empty()) text += verdict(*lesson);
+    all_fine = all_fine && errors.empty();
+  }
+  const int printed = finish_printing(print(text));
+  return all_fine ? printed : kBadInput;
+}
+
+}  // namespace psm

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lesson/font_face.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define STBTT_STATIC
+#define STB_TRUETYPE_IMPLEMENTATION
+#include <stb/stb_truetype.h>
+#pragma GCC diagnostic pop
+
+#include <algorithm>
+
+namespace psm {
+
+struct FontFace::Font {
+  std::string bytes;
+  stbtt_fontinfo info{};
+  bool usable = false;
+  int ascent = 0, height = 1;  // in the font's units
+};
+
+FontFace::FontFace(std::string bytes) : font_(std::make_unique<Font>()) {
+  font_->bytes = std::move(bytes);
+  const auto* data = reinterpret_cast<const unsigned char*>(font_->bytes.data());
+  if (font_->bytes.size() < 12) return;
+  const int offset = stbtt_GetFontOffsetForIndex(data, 0);
+  font_->usable = offset >= 0 && stbtt_InitFont(&font_->info, data, offset) != 0;
+  if (!font_->usable) return;
+  int descent = 0, gap = 0;
+  stbtt_GetFontVMetrics(&font_->info, &font_->ascent, &descent, &gap);
+  font_->height = font_->ascent - descent;
+}
+
+FontFace::~FontFace() = default;
+FontFace::FontFace(FontFace&&) noexcept = default;
+
+bool FontFace::has(char32_t point) const {
+  const bool in_range = std::any_of(std::begin(kTextRanges), std::end(kTextRanges),
+                                    [&](const auto& range) { return point >= range[0] && point <= range[1]; });
+  return in_range && font_->usable && stbtt_FindGlyphIndex(&font_->info, int(point)) != 0;
+}
+
+double FontFace::width(const std::string& text) const {
+  if (!font_->usable) return 0.0;
+  double units = 0.0;
+  for (const char32_t point : code_points(text)) {
+    int advance = 0, bearing = 0;
+    stbtt_GetCodepointHMetrics(&font_->info, int(point), &advance, &bearing);
+    units += advance;
+  }
+  return units / font_->height;
+}
+
+double FontFace::ascent() const { return double(font_->ascent) / font_->height; }
+
+std::u32string code_points(const std::string& text) {
+  std::u32string points;
+  for (const unsigned char byte : text) {
+    if (byte < 0x80)
+      points.push_back(byte);
+    else if (byte >= 0xC0)
+      points.push_back(byte >= 0xF0 ? byte & 0x07 : byte >= 0xE0 ? byte & 0x0F : byte & 0x1F);
+    else if (!points.empty())
+      points.back() = (points.back() << 6) | (byte & 0x3F);
+  }
+  return points;
+}
+
+}  // namespace psm

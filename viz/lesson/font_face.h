@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a TrueType font can show, and how wide: enough to set and to check text without a window.
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace psm {
+
+/// The code points, first and last of each range, that the window's type is baked for: Latin, Greek, punctuation, sub- and
+/// superscripts, arrows and mathematics, shapes.
+inline constexpr char32_t kTextRanges[][2] = {{0x0020, 0x007E}, {0x00A0, 0x00FF}, {0x0370, 0x03FF}, {0x2010, 0x205F},
+                                              {0x2070, 0x209F}, {0x2190, 0x22FF}, {0x25A0, 0x25FF}};
+
+class FontFace {
+ public:
+  /// `bytes` of a .ttf file; without glyphs where they are no font.
+  explicit FontFace(std::string bytes);
+  ~FontFace();
+  FontFace(FontFace&&) noexcept;
+
+  /// The font has it, and it lies in kTextRanges.
+  bool has(char32_t point) const;
+  /// Of a line of UTF-8 text, in parts of the font's size (ascent plus descent).
+  double width(const std::string& text) const;
+  double ascent() const;  // in parts of the size
+
+ private:
+  struct Font;
+  std::unique_ptr<Font> font_;
+};
+
+/// The code points of UTF-8 text.
+std::u32string code_points(const std::string& text);
+
+}  // namespace psm
