@@ -10,7 +10,7 @@
 #include "draw/probe.h"
 #include "figure/png.h"
 #include "figure/view_panel.h"
-#include "gl/error_view.h"
+#include "gl/traced_overlay.h"
 #include "measure/pick.h"
 
 namespace psm {
@@ -97,8 +97,8 @@ struct SheetPainter::State {
   ViewPicture describe(const SheetPanel& panel) {
     prepare(panel.loaded);
     ViewPicture picture = describe_view(panel.view, analysis, loaded->scene, panel.size);
-    if (panel.view == ViewId::eye && analysis.experiment.view.eye_overlay == EyeOverlay::errors)
-      show_errors(picture, compare_with_truth(renderer, *tracer, analysis, kAllPixels));
+    if (panel.view == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay))
+      show_overlay(picture, trace_overlay(renderer, *tracer, analysis, kAllPixels));
     if (probe) append(picture.list, probe_list(*probe, panel.view, analysis, panel.size));
     if (panel.title) picture.title = *panel.title;
     return picture;

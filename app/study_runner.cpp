@@ -33,6 +33,7 @@ double seconds_of(const std::function<void()>& work) {
 struct Condition {
   Experiment experiment;  // with any technique and resolution
   VisibleImage image;
+  std::vector<float> fractions;  // of the light that is seen
   std::vector<Lit> truth;
   std::vector<SurfacePoint> points;     // for analyze()
   std::map<int, double> uniform_error;  // by resolution, as far as anybody asked
@@ -69,6 +70,10 @@ void set_experiment(StudyRow& row, const Study& study, const StudyRun& run, cons
   row.resolution = run.resolution;
   row.theta_deg = run.theta_deg.value_or(kNone);
   row.width = x.image.width, row.height = x.image.height, row.camera_far = x.camera.far;
+  row.light_radius = x.light.radius;
+  row.depth_bias = x.shadow.depth_bias, row.slope_bias = x.shadow.slope_bias, row.normal_bias = x.shadow.normal_bias;
+  row.cull = name_of(x.shadow.cull), row.filter = name_of(x.shadow.filter);
+  row.filter_size = x.shadow.filter == Filter::pcf ? x.shadow.filter_size : kNone;
   row.technique_used = name_of(a.technique_used);
   for (const Note& note : a.notes) row.notes += (row.notes.empty() ? "" : " ") + note.code;
 }
@@ -123,7 +128,10 @@ struct StudyRunner::State {
     return analyze(experiment, scene_of(run), condition.points);
   }
   /// What the map that was drawn last gets wrong.
-  ShadowError error_of(const Analysis& analysis, const std::vector<float>& m);
+  ShadowError error_of(const MapReading& map, const std::vector<float>& m);
+  MapReading read_map(const Analysis& analysis) {
+    return renderer.read_map(analysis, condition.image.width, condition.image.height);
+  }
   double uniform_error(const StudyRun& run, int resolution);
   FrameTimes time_frame(const StudyRun& run, const Experiment& experiment, bool with_eye);
 
@@ -149,15 +157,15 @@ void StudyRunner::State::set_scene(const StudyRun& run) {
 void StudyRunner::State::set_condition(const StudyRun& run, const Experiment& experiment) {
   set_scene(run);
   if (!condition.truth.empty() && same_condition(experiment, condition.experiment)) return;
-  condition = {experiment, see(*tracer, experiment, experiment.image.width, experiment.image.height), {}, {}, {}};
-  condition.truth = trace_light(*tracer, condition.image, experiment);
+  condition = {experiment, see(*tracer, experiment, experiment.image.width, experiment.image.height), {}, {}, {}, {}};
+  condition.fractions = trace_fractions(*tracer, condition.image, experiment);
+  condition.truth = lit_by_half(condition.image, condition.fractions);
   condition.points = visible_points(*tracer, experiment);
 }
 
-ShadowError StudyRunner::State::error_of(const Analysis& analysis, const std::vector<float>& m) {
-  const int width = condition.image.width, height = condition.image.height;
-  const std::vector<MapVerdict> verdicts = renderer.read_verdicts(analysis, width, height);
-  return count_errors(condition.truth, find_errors(condition.truth, verdicts, m, width, height));
+ShadowError StudyRunner::State::error_of(const MapReading& map, const std::vector<float>& m) {
+  const VisibleImage& image = condition.image;
+  return count_errors(condition.truth, find_errors(condition.truth, map.verdicts, m, image.width, image.height));
 }
 
 double StudyRunner::State::uniform_error(const StudyRun& run, int resolution) {
@@ -168,7 +176,7 @@ double StudyRunner::State::uniform_error(const StudyRun& run, int resolution) {
   experiment.shadow.resolution = resolution;
   const Analysis analysis = analyzed(run, experiment);
   renderer.draw_shadow_map(analysis);
-  const double error = error_of(analysis, texel_sizes(condition.image, condition.truth, analysis)).fraction();
+  const double error = error_of(read_map(analysis), texel_sizes(condition.image, condition.truth, analysis)).fraction();
   return condition.uniform_error[resolution] = error;
 }
 
@@ -215,7 +223,9 @@ StudyRow StudyRunner::measure(std::size_t index) {
   if (side < run.resolution) row.notes += (row.notes.empty() ? "" : " ") + std::string("resolution_reduced");
   const std::vector<float> m = texel_sizes(s.condition.image, s.condition.truth, analysis);
   set_texels(row, texel_statistics(m));
-  set_errors(row, s.error_of(analysis, m));
+  const MapReading map = s.read_map(analysis);
+  set_errors(row, s.error_of(map, m));
+  row.lit_difference = lit_difference(s.condition.fractions, map).value_or(kNone);
 
   if (run.equal_error && row.compared > 0) {
     const auto error_at = [&](int resolution) { return s.uniform_error(run, resolution); };

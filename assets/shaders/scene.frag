@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // With MAY_DISCARD: cutoff textures and the cube view's limit; without, cards test depth before they shade. DEPTH_ONLY: no shading.
-// VERDICT: what the map says, as a number from 0 to 255 in red (MapVerdict: 1 dark, 2 lit, 3 outside the map).
+// VERDICT: what the map says, as a number from 0 to 255 in red (MapVerdict: 1 dark, 2 lit, 3 outside the map); the lit fraction in green.
+// LOOKUP: with filters, and with points that are shifted before they are looked up.
 // Hemisphere light from above and one light with shadows. No fall-off with distance: shadows have to be read, not admired.
 in vec3 v_position;
 in vec3 v_normal;
@@ -36,34 +37,87 @@ const vec3 kSkyLight = vec3(0.250, 0.255, 0.262);
 const vec3 kGroundLight = vec3(0.150, 0.150, 0.148);
 const vec3 kLight = vec3(0.700, 0.695, 0.688);
 
-// The texel's depth was taken at its centre: how much nearer (or 0) the surface's plane is there than at this fragment. Without
-// it, curved surfaces shadow themselves where the light grazes them, since a caster's bias knows only its own triangle's slope.
-float shift_to_centre(mat4 map, vec4 q, vec2 at) {
+// How the depth of the surface's plane changes over the map, in map coordinates from 0 to 1; 0 where it is seen from its edge.
+vec2 depth_slope(mat4 map, vec4 q) {
   vec4 x = map * vec4(g_along_x, 0.0), y = map * vec4(g_along_y, 0.0);
   vec3 device = q.xyz / q.w;
   vec3 dx = (x.xyz - device * x.w) / q.w, dy = (y.xyz - device * y.w) / q.w;
   float area = dx.x * dy.y - dx.y * dy.x;
-  if (abs(area) <= 1e-5 * length(dx.xy) * length(dy.xy)) return 0.0;  // seen from its edge
-  vec2 slope = vec2(dx.z * dy.y - dy.z * dx.y, dy.z * dx.x - dx.z * dy.x) / area;
-  vec2 texels = at * float(textureSize(u_map, 0).x);
-  vec2 to_centre = (floor(texels) + 0.5 - texels) / float(textureSize(u_map, 0).x);
-  return min(dot(slope, to_centre), 0.0) * u_receiver_bias;
+  if (abs(area) <= 1e-5 * length(dx.xy) * length(dy.xy)) return vec2(0.0);
+  return vec2(dx.z * dy.y - dy.z * dx.y, dy.z * dx.x - dx.z * dy.x) / area;
 }
+
+#ifdef LOOKUP
+uniform float u_constant_bias, u_normal_bias;  // texels
+uniform int u_kernel;                          // texels across; 0: the hardware's weighted four
+
+vec3 row_of(mat4 m, int i) { return vec3(m[0][i], m[1][i], m[2][i]); }
+
+// The point's shift before it is looked up: towards the light by texels as large as they are across it, and along the normal by
+// texels as far as they reach along it. Which way texels lie is the Jacobian's pseudo-inverse: from map to space, across the light.
+vec3 lookup_shift(mat4 map, vec4 q, vec3 normal) {
+  vec3 du = (row_of(map, 0) - q.x / q.w * row_of(map, 3)) / q.w, dv = (row_of(map, 1) - q.y / q.w * row_of(map, 3)) / q.w;
+  vec3 ray = cross(du, dv);
+  float texel = 2.0 / float(textureSize(u_map, 0).x) / max(dot(ray, ray), 1e-30);
+  vec3 along_u = texel * cross(dv, ray), along_v = texel * cross(ray, du);
+  float across = max(length(along_u), length(along_v)), reach = abs(dot(normal, along_u)) + abs(dot(normal, along_v));
+  vec3 to_light = u_light.xyz - u_light.w * v_position;
+  return u_constant_bias * across * to_light / max(length(to_light), 1e-20) + u_normal_bias * reach * normal;
+}
+
+// Each comparison is with the depth of the surface's own plane at that texel's centre.
+float compare(vec3 at, vec2 slope, float layer) {
+  float side = float(textureSize(u_map, 0).x);
+  slope *= u_receiver_bias / side;
+  if (u_kernel == 0) {
+    vec2 from_first = at.xy * side - 0.5 - floor(at.xy * side - 0.5);  // of the four texels' centres
+    float least = min(-slope.x * from_first.x, slope.x * (1.0 - from_first.x)) +
+                  min(-slope.y * from_first.y, slope.y * (1.0 - from_first.y));
+    return texture(u_map, vec4(at.xy, layer, clamp(at.z + least, 0.0, 1.0)));
+  }
+  vec2 to_centre = floor(at.xy * side) + 0.5 - at.xy * side;
+  float lit = 0.0, own = at.z + min(dot(slope, to_centre), 0.0);
+  int reach = u_kernel / 2;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      vec2 place = clamp(at.xy + vec2(x, y) / side, 0.5 / side, 1.0 - 0.5 / side);  // the kernel ends where the map does
+      lit += texture(u_map, vec4(place, layer, clamp(own + dot(slope, (place - at.xy) * side), 0.0, 1.0)));
+    }
+  }
+  return lit / float(u_kernel * u_kernel);
+}
+
+float lit_by(mat4 map, vec4 q, float layer, vec3 normal) {
+  vec2 slope = depth_slope(map, q);
+  vec4 shifted = map * vec4(v_position + lookup_shift(map, q, normal), 1.0);
+  if (shifted.w <= 0.0) return 1.0;  // shifted past the light
+  vec3 at = 0.5 * shifted.xyz / shifted.w + 0.5;
+  return compare(at, at.z <= 1.0 ? slope : vec2(0.0), layer);
+}
+#else
+// The texel's depth was taken at its centre: the reference comes nearer (or stays) by as much as the surface's plane does there.
+// Without it, curved surfaces shadow themselves where the light grazes them, since a caster's bias knows only its own triangle's slope.
+float lit_by(mat4 map, vec4 q, float layer, vec3 normal) {
+  vec3 at = 0.5 * q.xyz / q.w + 0.5;
+  float side = float(textureSize(u_map, 0).x);
+  vec2 texels = at.xy * side, to_centre = (floor(texels) + 0.5 - texels) / side;
+  // Beyond the map's far end: anything in it is nearer to the light, and no surface can shadow itself.
+  if (at.z <= 1.0) at.z += min(dot(depth_slope(map, q), to_centre), 0.0) * u_receiver_bias;
+  return texture(u_map, vec4(at.xy, layer, clamp(at.z, 0.0, 1.0)));
+}
+#endif
 
 // Lit if all maps that hold the point say so: one map, the one of six that looks its way, or the two of psm_two_maps, of which the
 // second lies wholly between the light and every receiver.
-float shadow_test(vec3 position) {
+float shadow_test(vec3 normal) {
   float lit = 1.0;
   g_outside_map = u_map_count > 0;  // where no map was drawn nothing casts a shadow: that is an answer, too
   for (int i = 0; i < u_map_count; ++i) {
-    vec4 q = u_map_from_local[i] * vec4(position, 1.0);
+    vec4 q = u_map_from_local[i] * vec4(v_position, 1.0);
     // A little wider than the map, so that nothing falls between two of six.
     if (q.w > 0.0 && max(abs(q.x), abs(q.y)) <= 1.00001 * q.w) {
       g_outside_map = false;
-      vec3 at = 0.5 * q.xyz / q.w + 0.5;
-      // Beyond the map's far end: anything in it is nearer to the light, and no surface can shadow itself.
-      if (at.z <= 1.0) at.z += shift_to_centre(u_map_from_local[i], q, at.xy);
-      lit = min(lit, texture(u_map, vec4(at.xy, float(i), clamp(at.z, 0.0, 1.0))));
+      lit = min(lit, lit_by(u_map_from_local[i], q, float(i), normal));
     }
   }
   return lit;
@@ -76,7 +130,7 @@ float direct_light(vec3 normal) {
   float cone = u_spot_cosines.x < -1.0 ? 1.0 : smoothstep(u_spot_cosines.x, u_spot_cosines.y, dot(-to_light, u_spot_axis));
   if (cosine <= 0.0 || cone <= 0.0) return 0.0;
   // The square root keeps raking light bright enough for its shadows to be seen; where it only grazes, the map has nothing to say.
-  return sqrt(cosine) * smoothstep(0.0, 0.1, cosine) * cone * shadow_test(v_position);
+  return sqrt(cosine) * smoothstep(0.0, 0.1, cosine) * cone * shadow_test(normal);
 }
 
 vec3 encode(vec3 linear) {
@@ -107,11 +161,11 @@ void main() {
 #else
   g_along_x = u_has_surface ? dFdx(v_position) : vec3(0.0);
   g_along_y = u_has_surface ? dFdy(v_position) : vec3(0.0);
-#ifdef VERDICT
-  float lit = shadow_test(v_position);
-  o_color = vec4((g_outside_map ? 3.0 : lit > 0.5 ? 2.0 : 1.0) / 255.0, 0.0, 0.0, 1.0);
-#else
   vec3 normal = v_normal / max(length(v_normal), 1e-20) * (gl_FrontFacing ? 1.0 : -1.0);
+#ifdef VERDICT
+  float lit = shadow_test(normal);
+  o_color = vec4((g_outside_map ? 3.0 : lit >= 0.5 ? 2.0 : 1.0) / 255.0, lit, 0.0, 1.0);
+#else
   vec3 ambient = mix(kGroundLight, kSkyLight, u_has_surface ? 0.5 + 0.5 * normal.y : 1.0);
   vec3 color = encode(clamp(albedo.rgb * (ambient + kLight * direct_light(normal)), 0.0, 1.0));
   o_color = mix(vec4(color, 1.0), u_ground, fade);

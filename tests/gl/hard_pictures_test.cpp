@@ -73,7 +73,7 @@ class HardPictures : public GlTest {
     const Analysis analysis = analyze(x, scene);
     renderer_->set_scene(scene);
     renderer_->draw_shadow_map(analysis);
-    return renderer_->read_verdicts(analysis, kSide, kSide);
+    return renderer_->read_map(analysis, kSide, kSide).verdicts;
   }
 
   /// Both have light and shadow, nothing falls off the map, and only a texel's breadth of a shadow's edge may differ.

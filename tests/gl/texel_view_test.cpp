@@ -5,6 +5,7 @@
 
 #include "draw/texel_overlay.h"
 #include "gl/error_view.h"
+#include "gl/traced_overlay.h"
 #include "gl_fixture.h"
 #include "scene/texel_sampling.h"
 
@@ -141,7 +142,7 @@ TEST_P(TexelView, error_view_colours_each_wrong_pixel_and_counts_it) {
   EXPECT_EQ(glm::ivec2(quick.image.width, quick.image.height), glm::ivec2(160, 90));
 
   ViewPicture eye_view = describe_view(ViewId::eye, analysis, scene_, kSize);
-  show_errors(eye_view, view);
+  show_overlay(eye_view, {view.image, error_legend(view)});
   EXPECT_EQ(std::ptrdiff_t(eye_view.legend.entries.size()),
             std::count_if(view.by_kind.begin(), view.by_kind.end(), [](std::size_t count) { return count > 0; }));
   eye_view.legend = {};

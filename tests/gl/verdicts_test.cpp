@@ -30,7 +30,7 @@ class Verdicts : public GlTest {
   std::vector<MapVerdict> read(const Scene& scene, const Analysis& analysis, int width, int height) {
     renderer_->set_scene(scene);
     renderer_->draw_shadow_map(analysis);
-    return renderer_->read_verdicts(analysis, width, height);
+    return renderer_->read_map(analysis, width, height).verdicts;
   }
 
   static std::size_t count(const std::vector<MapVerdict>& verdicts, MapVerdict wanted) {
@@ -69,7 +69,7 @@ TEST_P(Verdicts, ignore_which_way_the_surface_faces) {
   Analysis analysis = seen_under_plate();
   const auto facing = read(floor_and_plate(), analysis, 80, 80);
   analysis.light = {0, -1, 0, 0};
-  EXPECT_EQ(renderer_->read_verdicts(analysis, 80, 80), facing);
+  EXPECT_EQ(renderer_->read_map(analysis, 80, 80).verdicts, facing);
 }
 
 TEST_P(Verdicts, are_of_triangles_alone) {

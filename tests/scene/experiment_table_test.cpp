@@ -24,7 +24,10 @@ struct Outside {
     return bad;
   }
   std::vector<std::string> operator()(const IntRef&) const {
-    return {"", "x", "1.5", "inf", "99999999999999999999", number_text(field.min - 1), number_text(field.max + 1)};
+    std::vector<std::string> bad{
+        "", "x", "1.5", "inf", "99999999999999999999", number_text(field.min - 1), number_text(field.max + 1)};
+    if (field.odd) bad.push_back(number_text(field.min + 1));
+    return bad;
   }
   std::vector<std::string> operator()(const Vec2Ref&) const { return {"", "1", "1,2,3", "1,x", "1,inf", "1,1e300"}; }
   std::vector<std::string> operator()(const Vec3Ref&) const {
@@ -59,11 +62,12 @@ TEST(ExperimentTable, EveryRowIsExplained) {
 
 TEST(ExperimentTable, TheContractsMembersAreThere) {
   for (const char* path :
-       {"scene.source",      "camera.position",   "camera.target",         "camera.up",           "camera.vertical_fov_deg",
-        "camera.near",       "camera.far",        "image.width",           "image.height",        "light.type",
-        "light.to_light",    "light.position",    "light.target",          "light.cone_deg",      "shadow.technique",
-        "shadow.resolution", "shadow.filter",     "shadow.depth_bias",     "shadow.camera_shift", "shadow.near_fit",
-        "shadow.focus",      "shadow.warp_range", "shadow.receiver_plane", "shadow.plane"})
+       {"scene.source",       "camera.position",   "camera.target",         "camera.up",           "camera.vertical_fov_deg",
+        "camera.near",        "camera.far",        "image.width",           "image.height",        "light.type",
+        "light.to_light",     "light.position",    "light.target",          "light.cone_deg",      "shadow.technique",
+        "shadow.resolution",  "shadow.filter",     "shadow.depth_bias",     "shadow.camera_shift", "shadow.near_fit",
+        "shadow.focus",       "shadow.warp_range", "shadow.receiver_plane", "shadow.plane",        "shadow.slope_bias",
+        "shadow.normal_bias", "shadow.cull",       "shadow.filter_size",    "light.radius"})
     EXPECT_NE(find_field(path), nullptr) << path;
 }
 

@@ -34,7 +34,9 @@ class RandomExperiment {
       ref(experiment) = field.may_be_infinite && source.below(3) == 0 ? HUGE_VAL : source.number(field);
     }
     void operator()(const IntRef& ref) const {
-      ref(experiment) = std::uniform_int_distribution<int>(int(field.min), int(field.max))(source.random_);
+      int& value = ref(experiment);
+      do value = std::uniform_int_distribution<int>(int(field.min), int(field.max))(source.random_);
+      while (field.odd && value % 2 == 0);
     }
     void operator()(const Vec2Ref& ref) const { source.vector<2>(field, ref(experiment)); }
     void operator()(const Vec3Ref& ref) const { source.vector<3>(field, ref(experiment)); }

@@ -12,7 +12,7 @@ TEST(TexelView, KeysAndTheTilesControlChooseWhatTheEyeViewShows) {
   EXPECT_EQ(bench.experiment().view.eye_overlay, EyeOverlay::texel_size);
   EXPECT_GT(differing_pixels(plain, bench.view(ViewId::eye), 8), 1000u);
   EXPECT_FALSE(bench.work().images().picture(ViewId::eye).legend.lines.empty());
-  for (const EyeOverlay next : {EyeOverlay::anisotropy, EyeOverlay::errors, EyeOverlay::none}) {
+  for (const EyeOverlay next : {EyeOverlay::anisotropy, EyeOverlay::errors, EyeOverlay::penumbra, EyeOverlay::none}) {
     bench.key('E');
     EXPECT_EQ(bench.experiment().view.eye_overlay, next);
   }

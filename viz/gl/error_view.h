@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "draw/legend.h"
 #include "gl/renderer.h"
 #include "measure/ray_tracer.h"
 #include "measure/shadow_error.h"
@@ -19,20 +20,14 @@ struct ErrorView {
   Image image;
   ShadowError errors;
   std::array<std::size_t, kErrorKinds> by_kind{};  // pixels
+  std::optional<double> lit_difference;            // mean, of the lit fraction
   bool reduced = false;                            // smaller than the experiment's image
 };
 
-/// At the size of the experiment's image, or as much smaller as it takes for `most_pixels`. The shadow map of this analysis is
-/// what `renderer` drew last.
+/// At the size of the experiment's image, or as much smaller as it takes for `most_pixels`. The shadow map of this
+/// analysis is what `renderer` drew last.
 ErrorView compare_with_truth(Renderer& renderer, const RayTracer& tracer, const Analysis& analysis, double most_pixels);
 
-/// What the error view shows in the window, tens of milliseconds; and in a file.
-constexpr double kQuickPixels = 640.0 * 360.0, kAllPixels = 1920.0 * 1080.0;
-
-/// Over the eye view, with its legend.
-void show_errors(ViewPicture& eye, const ErrorView& view);
-
-/// In the legend's place until the errors are known.
-void announce_errors(ViewPicture& eye);
+Legend error_legend(const ErrorView& view);
 
 }  // namespace psm

@@ -133,6 +133,10 @@ void declare_attributes(std::size_t stride, std::span<const Attribute> attribute
 /// first, so that no scale overflows. Nothing if an entry is not finite or all are zero.
 std::optional<glm::mat4> narrow(const glm::dmat4& matrix);
 
+/// Whether counter-clockwise triangles turn clockwise: they stay as they are where the determinant is negative, as OpenGL's own
+/// projections look down -z.
+inline bool front_is_clockwise(const glm::dmat4& clip_from_space) { return glm::determinant(clip_from_space) > 0.0; }
+
 /// Ends the program with this line.
 [[noreturn]] void fail(const std::string& line);
 

@@ -151,16 +151,19 @@ std::vector<float> Renderer::read_view_depth(ViewId id) {
   return depth;
 }
 
-std::vector<MapVerdict> Renderer::read_verdicts(const Analysis& analysis, int width, int height) {
+MapReading Renderer::read_map(const Analysis& analysis, int width, int height) {
   const gl::StateGuard guard;
   assert(glm::ivec2(width, height) == gl::allowed_size({width, height}));
   const gl::PlainTarget target({width, height});  // one sample a pixel: a verdict has no shades
   state_->scene_pass.draw_verdicts(analysis, state_->scene, state_->shadow_pass);
   const std::vector<std::uint8_t> rgba = target.read_top_to_bottom();
-  std::vector<MapVerdict> verdicts(rgba.size() / 4);
-  for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] = MapVerdict(rgba[4 * i]);
-  gl::check_errors("read_verdicts");
-  return verdicts;
+  MapReading reading;
+  for (std::size_t i = 0; i < rgba.size(); i += 4) {
+    reading.verdicts.push_back(MapVerdict(rgba[i]));
+    reading.lit.push_back(float(rgba[i + 1]) / 255.0f);
+  }
+  gl::check_errors("read_map");
+  return reading;
 }
 
 void Renderer::ask_for_visible_points(const Analysis& analysis) {

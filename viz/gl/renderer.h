@@ -50,9 +50,9 @@ class Renderer {
   /// The depth of what draw_view drew last, in [0, 1], rows top to bottom, of the size that it was drawn in.
   std::vector<float> read_view_depth(ViewId id);
 
-  /// What the map that was drawn last says at each pixel of the eye's image, width x height, rows top to bottom: the raw
-  /// comparison, whichever way the surface faces the light.
-  std::vector<MapVerdict> read_verdicts(const Analysis& analysis, int width, int height);
+  /// What the map that was drawn last says at each pixel of the eye's image, width x height, rows top to bottom, whichever way
+  /// the surface faces the light: dark where less than half of the filter's comparisons are lit.
+  MapReading read_map(const Analysis& analysis, int width, int height);
 
   /// Asks the card for what this analysis's eye sees in the middle of each cell of the coarse grid that analyze() takes; never
   /// waits. The answer is there some frames later: points in world space, cells that see nothing left out.

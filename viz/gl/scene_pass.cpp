@@ -23,9 +23,6 @@ glm::vec4 unit_light(const glm::dvec4& light) {
   return glm::vec4(light / length);
 }
 
-/// Counter-clockwise triangles stay so on the screen where the determinant is negative: OpenGL's own projections look down -z.
-bool front_is_clockwise(const glm::dmat4& clip_from_space) { return glm::determinant(clip_from_space) > 0.0; }
-
 struct MapCorner {
   glm::vec4 clip;
   glm::vec2 map;  // 0 to 1 over the picture
@@ -34,7 +31,8 @@ struct MapCorner {
 /// What is the same for all programs and batches of one picture.
 struct SceneUniforms {
   glm::mat4 clip_from_local{1.0f}, cube_from_local{1.0f};
-  float cube_limit = 0.0f, point_size = 1.0f, receiver_bias = 1.0f;
+  float cube_limit = 0.0f, point_size = 1.0f, receiver_bias = 1.0f, constant_bias = 0.0f, normal_bias = 0.0f;
+  int kernel = 1;
   glm::vec4 ground{1.0f};  // what the scene fades to
   glm::vec3 spot_axis{0.0f};
   glm::vec2 spot_cosines{-2.0f};
@@ -54,7 +52,11 @@ void set_spot(SceneUniforms& to, const LightSettings& light) {
 /// What does not depend on the picture.
 SceneUniforms shadow_uniforms(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map) {
   SceneUniforms values;
-  values.receiver_bias = float(std::clamp(analysis.experiment.shadow.depth_bias, 0.0, 1.0));
+  const ShadowSettings& shadow = analysis.experiment.shadow;
+  values.receiver_bias = float(std::clamp(shadow.slope_scaled_bias(), 0.0, 1.0));
+  values.constant_bias = float(shadow.constant_bias());
+  values.normal_bias = float(shadow.normal_bias);
+  values.kernel = shadow.filter == Filter::hardware ? 0 : shadow.filter == Filter::pcf ? shadow.filter_size : 1;
   values.light = unit_light(scene.local_from_world() * analysis.light);
   values.maps_from_local = map.maps_from_local();
   set_spot(values, analysis.experiment.light);
@@ -68,6 +70,9 @@ void use(Program& program, const SceneUniforms& values) {
   program.set("u_cube_limit", values.cube_limit);
   program.set("u_point_size", values.point_size);
   program.set("u_receiver_bias", values.receiver_bias);
+  program.set("u_constant_bias", values.constant_bias);
+  program.set("u_normal_bias", values.normal_bias);
+  program.set("u_kernel", values.kernel);
   program.set("u_ground", values.ground);
   program.set("u_spot_axis", values.spot_axis);
   program.set("u_spot_cosines", values.spot_cosines);
@@ -151,7 +156,8 @@ void set_grid(std::array<Program, 2>& programs, int step, Theme theme) {
 }  // namespace
 
 ScenePass::ScenePass(const std::filesystem::path& shaders)
-    : shading_{Program(shaders, "scene", "scene"), Program(shaders, "scene", "scene", "#define MAY_DISCARD\n")},
+    : shaders_(shaders),
+      shading_{Program(shaders, "scene", "scene"), Program(shaders, "scene", "scene", "#define MAY_DISCARD\n")},
       depth_{Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n"),
              Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n#define MAY_DISCARD\n")},
       verdicts_{Program(shaders, "scene", "scene", "#define VERDICT\n"),
@@ -161,6 +167,17 @@ ScenePass::ScenePass(const std::filesystem::path& shaders)
             Program(shaders, "scene", "texels", "#define GRID\n#define MAY_DISCARD\n")},
       surface_points_{Program(shaders, "scene", "surface_point"),
                       Program(shaders, "scene", "surface_point", "#define MAY_DISCARD\n")} {}
+
+ScenePass::Pair& ScenePass::pair_for(const ShadowSettings& shadow, Pair& plain, std::unique_ptr<Pair>& lookup,
+                                     const char* defines) {
+  const bool filtered = shadow.filter == Filter::hardware || (shadow.filter == Filter::pcf && shadow.filter_size > 1);
+  if (!filtered && shadow.normal_bias == 0.0 && shadow.constant_bias() == 0.0) return plain;
+  const std::string all = std::string("#define LOOKUP\n") + defines;
+  if (!lookup)
+    lookup.reset(
+        new Pair{Program(shaders_, "scene", "scene", all), Program(shaders_, "scene", "scene", all + "#define MAY_DISCARD\n")});
+  return *lookup;
+}
 
 void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map,
                      double scale, Theme theme, const glm::vec4& ground) {
@@ -177,7 +194,8 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
   values.point_size = float(kPointSize * scale);
   values.ground = ground;
 
-  map.bind_for_comparison(1);
+  const ShadowSettings& shadow = analysis.experiment.shadow;
+  map.bind_for_comparison(1, shadow.filter == Filter::hardware);
   glEnable(GL_DEPTH_TEST);
   const bool clockwise = front_is_clockwise(clip_from_local);
   if (heat_scale(picture.overlay)) {
@@ -185,7 +203,7 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
     set_heat(heat_, picture.overlay, analysis, scene);
     draw_scene(heat_, values, scene, projective, clockwise);
   } else {
-    draw_scene(shading_, values, scene, projective, clockwise);
+    draw_scene(pair_for(shadow, shading_, lookup_shading_, ""), values, scene, projective, clockwise);
   }
   if (picture.texel_step > 0) {
     set_texels(grid_, analysis, scene, scale);
@@ -220,9 +238,11 @@ void ScenePass::draw_verdicts(const Analysis& analysis, const SceneBuffers& scen
   SceneUniforms values = shadow_uniforms(analysis, scene, map);
   values.clip_from_local = *clip;
   values.only_triangles = true;
-  map.bind_for_comparison(1);
+  const ShadowSettings& shadow = analysis.experiment.shadow;
+  map.bind_for_comparison(1, shadow.filter == Filter::hardware);
   glEnable(GL_DEPTH_TEST);
-  draw_scene(verdicts_, values, scene, false, front_is_clockwise(clip_from_local));
+  draw_scene(pair_for(shadow, verdicts_, lookup_verdicts_, "#define VERDICT\n"), values, scene, false,
+             front_is_clockwise(clip_from_local));
 }
 
 void ScenePass::draw_surface_points(const Analysis& analysis, const SceneBuffers& scene) {

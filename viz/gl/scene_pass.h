@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 
 #include "draw/view.h"
 #include "gl/gl_objects.h"
@@ -22,15 +23,22 @@ class ScenePass {
   void draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map, double scale,
             Theme theme, const glm::vec4& ground);
 
-  /// The eye's image, into the bound framebuffer: a MapVerdict in red where there is a triangle.
+  /// The eye's image, into the bound framebuffer: a MapVerdict in red and the lit fraction in green where there is a triangle.
   void draw_verdicts(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map);
 
   /// The eye's image, into the bound framebuffer: places and normals as bits, see surface_point.frag.
   void draw_surface_points(const Analysis& analysis, const SceneBuffers& scene);
 
  private:
-  // Each: without and with fragments that may be discarded.
-  std::array<Program, 2> shading_, depth_, verdicts_, heat_, grid_, surface_points_;
+  // Without and with fragments that may be discarded.
+  using Pair = std::array<Program, 2>;
+  /// The pair for these settings: `plain`, or where points are shifted or comparisons averaged, `lookup`, made when first asked
+  /// for.
+  Pair& pair_for(const ShadowSettings& shadow, Pair& plain, std::unique_ptr<Pair>& lookup, const char* defines);
+
+  std::filesystem::path shaders_;
+  Pair shading_, depth_, verdicts_, heat_, grid_, surface_points_;
+  std::unique_ptr<Pair> lookup_shading_, lookup_verdicts_;
 };
 
 class MapPass {

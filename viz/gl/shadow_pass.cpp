@@ -12,9 +12,9 @@ namespace {
 
 constexpr float kBiasUnits = 2.0f;  // depth steps, for faces that see the light head on and have no slope
 
-void set_sampler(const Sampler& sampler, GLint compare_mode) {
-  glSamplerParameteri(sampler.get(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glSamplerParameteri(sampler.get(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+void set_sampler(const Sampler& sampler, GLint compare_mode, GLint filter) {
+  glSamplerParameteri(sampler.get(), GL_TEXTURE_MIN_FILTER, filter);
+  glSamplerParameteri(sampler.get(), GL_TEXTURE_MAG_FILTER, filter);
   glSamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glSamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glSamplerParameteri(sampler.get(), GL_TEXTURE_COMPARE_MODE, compare_mode);
@@ -46,8 +46,9 @@ int allocate_depth(int resolution, int layers) {
 
 ShadowPass::ShadowPass(const std::filesystem::path& shaders)
     : program_(shaders, "shadow", "shadow"), reduce_(shaders, "fullscreen", "depth_blocks") {
-  set_sampler(comparison_, GL_COMPARE_REF_TO_TEXTURE);
-  set_sampler(reading_, GL_NONE);
+  set_sampler(comparison_, GL_COMPARE_REF_TO_TEXTURE, GL_NEAREST);
+  set_sampler(weighted_comparison_, GL_COMPARE_REF_TO_TEXTURE, GL_LINEAR);
+  set_sampler(reading_, GL_NONE, GL_NEAREST);
 }
 
 void ShadowPass::allocate(int resolution, int layers) {
@@ -63,7 +64,8 @@ void ShadowPass::allocate(int resolution, int layers) {
 
 ShadowPass::Content ShadowPass::content_of(const SceneBuffers& scene, const Analysis& analysis) {
   const ShadowSettings& shadow = analysis.experiment.shadow;
-  return {maps_from_world(analysis), shadow.resolution, shadow.depth_bias, analysis.depth_body.vertices, scene.revision()};
+  return {maps_from_world(analysis),    shadow.resolution, shadow.slope_scaled_bias(), shadow.cull,
+          analysis.depth_body.vertices, scene.revision()};
 }
 
 void ShadowPass::update(const SceneBuffers& scene, const Analysis& analysis) {
@@ -86,7 +88,8 @@ void ShadowPass::draw(const SceneBuffers& scene, const Analysis& analysis) {
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_POLYGON_OFFSET_FILL);
   // The factor multiplies the steeper of the two depth slopes per texel: exactly the setting's definition.
-  glPolygonOffset(float(drawn_->depth_bias), kBiasUnits);
+  glPolygonOffset(float(drawn_->slope_bias), kBiasUnits);
+  glCullFace(drawn_->cull == Cull::front ? GL_FRONT : GL_BACK);
   for (int layer = 0; layer < allocated_layers_; ++layer) {
     // A matrix that cannot be drawn keeps its place with w = 0 everywhere: nothing lies inside it.
     const glm::mat4 map = narrow(drawn_->maps[std::size_t(layer)] * scene.world_from_local()).value_or(glm::mat4(0.0f));
@@ -94,26 +97,29 @@ void ShadowPass::draw(const SceneBuffers& scene, const Analysis& analysis) {
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth_.get(), 0, layer);
     const float far_end = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &far_end);
-    draw_layer(scene, map, analysis.depth_body);
+    draw_layer(scene, std::size_t(layer), analysis.depth_body);
   }
 }
 
-void ShadowPass::draw_layer(const SceneBuffers& scene, const glm::mat4& map_from_local, const ConvexBody& casters) {
+void ShadowPass::draw_layer(const SceneBuffers& scene, std::size_t layer, const ConvexBody& casters) {
   program_.use();
-  program_.set("u_map_from_local", map_from_local);
+  program_.set("u_map_from_local", maps_from_local_[layer]);
   program_.set("u_texture", 0);
   scene.bind();
+  glFrontFace(front_is_clockwise(drawn_->maps[layer]) ? GL_CW : GL_CCW);  // as the light sees it
   for (const Batch& batch : scene.batches()) {
     if (batch.primitive != Primitive::triangles) continue;
+    const bool culls = drawn_->cull != Cull::none && !scene.material(batch).double_sided;
+    (culls ? glEnable : glDisable)(GL_CULL_FACE);
     scene.bind_material(batch, program_);
     triangles_drawn_ += scene.draw_inside(batch, casters);
   }
 }
 
-void ShadowPass::bind_for_comparison(int unit) const {
+void ShadowPass::bind_for_comparison(int unit, bool weighted) const {
   glActiveTexture(GLenum(GL_TEXTURE0 + unit));
   glBindTexture(GL_TEXTURE_2D_ARRAY, depth_.get());
-  glBindSampler(GLuint(unit), comparison_.get());
+  glBindSampler(GLuint(unit), weighted ? weighted_comparison_.get() : comparison_.get());
 }
 
 void ShadowPass::bind_for_reading(int unit) const {

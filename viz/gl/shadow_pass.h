@@ -18,7 +18,7 @@ class ShadowPass {
  public:
   explicit ShadowPass(const std::filesystem::path& shaders);
 
-  /// Draws the casters that reach into H_R. Lines and points cast no shadow; all faces do, whichever way they look. Where nothing
+  /// Draws the casters that reach into H_R. Lines and points cast no shadow; all faces do that shadow.cull leaves. Where nothing
   /// reaches into H_R nothing is drawn, not even cleared: there are no layers, and all is lit.
   void draw(const SceneBuffers& scene, const Analysis& analysis);
   /// The same, unless that is what was drawn last.
@@ -35,8 +35,9 @@ class ShadowPass {
   /// How often draw() was called, by whomever.
   int times_drawn() const { return times_drawn_; }
 
-  /// For shadow tests: hardware comparison. Binds texture and sampler.
-  void bind_for_comparison(int unit) const;
+  /// For shadow tests: hardware comparison, with one texel or (`weighted`) with four, weighted by distance. Binds texture and
+  /// sampler.
+  void bind_for_comparison(int unit, bool weighted) const;
   /// For showing: the depths themselves.
   void bind_for_reading(int unit) const;
 
@@ -50,21 +51,22 @@ class ShadowPass {
   struct Content {
     std::vector<glm::dmat4> maps;
     int resolution = 0;
-    double depth_bias = 0.0;
+    double slope_bias = 0.0;  // texels
+    Cull cull = Cull::none;
     std::vector<glm::dvec3> casters;  // of the body that they reach into
     int scene = 0;
     bool operator==(const Content&) const = default;
   };
   static Content content_of(const SceneBuffers& scene, const Analysis& analysis);
   void allocate(int resolution, int layers);
-  void draw_layer(const SceneBuffers& scene, const glm::mat4& map_from_local, const ConvexBody& casters);
+  void draw_layer(const SceneBuffers& scene, std::size_t layer, const ConvexBody& casters);
   /// The least and the largest depth that is not empty, of each block of block x block texels of a layer; of one texel, its
   /// depth.
   std::vector<glm::vec2> read_blocks(int layer, int block);
 
   Program program_, reduce_;
   GlTexture depth_;
-  Sampler comparison_, reading_;
+  Sampler comparison_, weighted_comparison_, reading_;
   Framebuffer framebuffer_;
   VertexArray no_vertices_;
   int resolution_ = 0, allocated_layers_ = 0, asked_resolution_ = 0, times_drawn_ = 0;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "measure/area_light.h"
 #include "measure/distance_transform.h"
 #include "measure/parallel_rows.h"
 #include "scene/eye_and_light.h"
@@ -50,20 +51,40 @@ std::vector<float> distances_to_change(const std::vector<Lit>& truth, int width,
 
 }  // namespace
 
-std::vector<Lit> trace_light(const RayTracer& tracer, const VisibleImage& image, const Experiment& experiment) {
+std::vector<float> trace_fractions(const RayTracer& tracer, const VisibleImage& image, const Experiment& experiment) {
   const glm::dvec4 light = homogeneous_light(experiment.light);
   const double tangent = cone_tangent(experiment);
-  std::vector<Lit> truth(image.points.size(), Lit::unseen);
+  std::vector<float> fractions(image.points.size(), -1.0f);
   for_each_row(image.height, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(image.width), end = first + std::size_t(image.width);
-    for (std::size_t i = first; i < end; ++i) {
-      if (!image.sees(i)) continue;
-      const SurfacePoint& p = image.points[i];
-      const bool away = !in_light(p, light, experiment, tangent);
-      truth[i] = away ? Lit::away : tracer.shadowed(p, light) ? Lit::dark : Lit::lit;
-    }
+    for (std::size_t i = first; i < end; ++i)
+      if (image.sees(i) && in_light(image.points[i], light, experiment, tangent))
+        fractions[i] = float(visible_fraction(tracer, image.points[i], experiment.light));
   });
+  return fractions;
+}
+
+std::vector<Lit> lit_by_half(const VisibleImage& image, const std::vector<float>& fractions) {
+  std::vector<Lit> truth(fractions.size(), Lit::unseen);
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    if (image.sees(i)) truth[i] = fractions[i] < 0 ? Lit::away : fractions[i] < 0.5f ? Lit::dark : Lit::lit;
   return truth;
+}
+
+std::vector<Lit> trace_light(const RayTracer& tracer, const VisibleImage& image, const Experiment& experiment) {
+  return lit_by_half(image, trace_fractions(tracer, image, experiment));
+}
+
+std::optional<double> lit_difference(const std::vector<float>& fractions, const MapReading& map) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < fractions.size(); ++i) {
+    if (fractions[i] < 0 || map.verdicts[i] == MapVerdict::unseen) continue;
+    sum += std::abs(double(fractions[i]) - double(map.verdicts[i] == MapVerdict::outside ? 1.0f : map.lit[i]));
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / double(count);
 }
 
 std::vector<float> texel_sizes(const VisibleImage& image, const std::vector<Lit>& truth, const Analysis& analysis) {

@@ -16,12 +16,28 @@ enum class Lit : std::uint8_t { unseen, away, dark, lit };
 /// What the eye pass read in the shadow map at a pixel.
 enum class MapVerdict : std::uint8_t { unseen, dark, lit, outside };
 
+/// The same for an image. `lit`: the fraction of the filter's comparisons that are lit, 0 or 1 without a filter, 1 outside the
+/// map; from half on the verdict is lit.
+struct MapReading {
+  std::vector<MapVerdict> verdicts;
+  std::vector<float> lit;
+};
+
 /// Why map and truth differ at a pixel, in the order of the questions: outside the map; else within that pixel's own m (at least
 /// one pixel) of a place where the truth changes: resolution; else dark in the map only: acne; else lit in the map only: leak.
 enum class ErrorCause : std::uint8_t { none, outside, resolution, acne, leak };
 
-/// Rows top to bottom, as long as the image.
+/// The fraction of the light that each point sees (visible_fraction): rows top to bottom, as long as the image; negative where
+/// nothing is seen, or where the surface faces away from the light's centre or is outside a spot's cone.
+std::vector<float> trace_fractions(const RayTracer& tracer, const VisibleImage& image, const Experiment& experiment);
+
+/// The truth: lit where half of the light or more is seen.
+std::vector<Lit> lit_by_half(const VisibleImage& image, const std::vector<float>& fractions);
 std::vector<Lit> trace_light(const RayTracer& tracer, const VisibleImage& image, const Experiment& experiment);
+
+/// The mean absolute difference between the fraction that is seen and the one that the map says, over the pixels that have both;
+/// nothing where there are none.
+std::optional<double> lit_difference(const std::vector<float>& fractions, const MapReading& map);
 
 /// m in pixels of the image's own size; 0 where nothing is seen or the surface faces away, infinite where it holds the light ray.
 std::vector<float> texel_sizes(const VisibleImage& image, const std::vector<Lit>& truth, const Analysis& analysis);

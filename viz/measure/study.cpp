@@ -143,8 +143,8 @@ Study default_study(bool quick) {
     study.equal_error = {16, 2048, 1.0 / 16};
     study.repeats = {3, 3, 0.05, 0.2, 1};
   }
-  for (const std::string& id : builtin_scene_ids()) {
-    if (quick && id != "ground") continue;
+  for (const char* id : {"chessboard", "ground"}) {  // more scenes would take hours and say the same
+    if (quick && std::string(id) != "ground") continue;
     study.scenes.push_back(builtin(id, image));
     sweep.theta_deg = daytime(study.scenes.back().base.experiment, theta);
     add_runs(study, study.scenes.size() - 1, sweep);

@@ -24,6 +24,8 @@ struct StudyRow {
   // Under which conditions.
   std::string scene, technique;
   double resolution = kNone, theta_deg = kNone, width = kNone, height = kNone, camera_far = kNone;
+  double light_radius = kNone, depth_bias = kNone, slope_bias = kNone, normal_bias = kNone, filter_size = kNone;
+  std::string cull, filter;
 
   // What the technique did: n, f, phi, rho as in Analysis; codes of the notes, separated by blanks.
   std::string technique_used, notes;
@@ -31,7 +33,7 @@ struct StudyRow {
 
   // Error in pixels of the image: ShadowError and TexelStatistics.
   double compared = kNone, error_fraction = kNone, wrongly_lit = kNone, wrongly_dark = kNone;
-  double outside = kNone, by_resolution = kNone, acne = kNone, leak = kNone;
+  double outside = kNone, by_resolution = kNone, acne = kNone, leak = kNone, lit_difference = kNone;
   double m_mean = kNone, m_p50 = kNone, m_p95 = kNone, m_max = kNone, undersampled = kNone;
   // On the central line: the two-dimensional model's largest F and E, and E as the map has it.
   double model_F = kNone, model_E = kNone, line_E = kNone;

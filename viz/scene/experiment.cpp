@@ -24,7 +24,9 @@ constexpr std::array kTechniques{
     "uniform",         "psm",           "lispsm",     "lispsm_reference", "glpr",        "gmnpr",        "minimax",
     "minimax_frustum", "plane_optimal", "best_plane", "psm_recipe",       "psm_divided", "psm_two_maps", "custom"};
 constexpr std::array kShiftRules{"auto", "in_front", "inside"};
-constexpr std::array kEyeOverlays{"none", "texel_size", "anisotropy", "errors"};
+constexpr std::array kEyeOverlays{"none", "texel_size", "anisotropy", "errors", "penumbra"};
+constexpr std::array kCulls{"none", "front", "back"};
+constexpr std::array kFilters{"none", "hardware", "pcf"};
 constexpr std::array kViews{"world", "cube", "map", "eye", "body"};
 static_assert(kViews.size() == kAllViews.size());
 
@@ -41,6 +43,8 @@ struct Row : Field {
   Row&& within(double low, double high) && { return min = low, max = high, std::move(*this); }
   Row&& open() && { return open_min = open_max = true, std::move(*this); }
   Row&& or_infinite() && { return may_be_infinite = true, std::move(*this); }
+  Row&& odd_only() && { return odd = true, std::move(*this); }
+  Row&& under(const char* heading) && { return pane_group = heading, std::move(*this); }
   Row&& direction() && { return nonzero = true, std::move(*this).within(-kLongest, kLongest); }
   Row&& absent_is(const char* word) && { return absent = word, std::move(*this); }
   Row&& when(std::function<bool(const Experiment&)> condition) && { return applies = std::move(condition), std::move(*this); }
@@ -64,6 +68,7 @@ Choice maximised_choice() {
 bool is_directional(const Experiment& e) { return e.light.type == LightType::directional; }
 bool is_placed(const Experiment& e) { return !is_directional(e); }
 bool is_spot(const Experiment& e) { return e.light.type == LightType::spot; }
+bool is_pcf(const Experiment& e) { return e.shadow.filter == Filter::pcf; }
 
 #define PSM_REF(type, member) type([](Experiment & e) -> auto& { return e.member; })
 #define PSM_CHOICE(names, member) \
@@ -109,6 +114,46 @@ void add_light(std::vector<Field>& rows) {
                      .within(0, 180)
                      .open()
                      .when(is_spot));
+  rows.push_back(Row("light.radius", PSM_REF(NumberRef, light.radius), "",
+                     "Radius of an area light, a disc that faces each point, in scene units; of a directional light the disc at "
+                     "distance 1 (the sun: 0.0047). The map knows its centre alone; truth and errors know all of it.")
+                     .within(0, kLargest));
+}
+
+/// Against acne, and what smooths the map's answers.
+void add_bias_and_filter(std::vector<Field>& rows) {
+  const char* heading = "bias and filter";
+  rows.push_back(
+      Row("shadow.depth_bias", PSM_REF(NumberRef, shadow.depth_bias), "texels",
+          "Depth offset against self-shadowing, in texels along the steeper depth slope of the caster; slope_bias makes "
+          "it constant.")
+          .within(0, 1000)
+          .under(heading));
+  rows.push_back(
+      Row("shadow.slope_bias", PSM_REF(NumberRef, shadow.slope_bias), "",
+          "How much of depth_bias grows with the slope: 1, all of it; 0, none, each surface gets what one at 45 degrees "
+          "to the light needs.")
+          .within(0, 1)
+          .under(heading));
+  rows.push_back(Row("shadow.normal_bias", PSM_REF(NumberRef, shadow.normal_bias), "texels",
+                     "How far a point is shifted along its normal before it is looked up, in texels by their own reach along the "
+                     "normal; half a texel keeps a plane free of acne whatever the technique.")
+                     .within(0, 1000)
+                     .under(heading));
+  rows.push_back(Row("shadow.cull", PSM_CHOICE(as_list(kCulls), shadow.cull), "",
+                     "Which faces of casters are left out of the map: none, those whose front the light sees, or the others. "
+                     "Double-sided materials stay.")
+                     .under(heading));
+  rows.push_back(Row("shadow.filter", PSM_CHOICE(as_list(kFilters), shadow.filter), "",
+                     "How comparisons with the map are averaged: none, the hardware's four texels weighted by distance, or "
+                     "percentage-closer filtering over a kernel.")
+                     .under(heading));
+  rows.push_back(Row("shadow.filter_size", PSM_REF(IntRef, shadow.filter_size), "texels",
+                     "Side of the kernel of percentage-closer filtering; its square is the number of comparisons.")
+                     .within(1, 15)
+                     .odd_only()
+                     .when(is_pcf)
+                     .under(heading));
 }
 
 void add_shadow(std::vector<Field>& rows) {
@@ -117,10 +162,6 @@ void add_shadow(std::vector<Field>& rows) {
   rows.push_back(
       Row("shadow.resolution", PSM_REF(IntRef, shadow.resolution), "texels", "Texels along each side of the shadow map.")
           .within(16, 8192));
-  rows.push_back(Row("shadow.filter", PSM_CHOICE({"none"}, shadow.filter), "", "How shadow map samples are filtered."));
-  rows.push_back(Row("shadow.depth_bias", PSM_REF(NumberRef, shadow.depth_bias), "texels",
-                     "Depth offset against self-shadowing, in texels along the steeper depth slope of the caster.")
-                     .within(0, 1000));
   rows.push_back(Row("shadow.camera_shift", PSM_REF(ShiftRef, shadow.camera_shift), "scene units",
                      "How far the virtual camera steps back before the PSM projection: until the casters are in front of it, or "
                      "inside its frustum; auto lets the technique choose.")
@@ -173,7 +214,7 @@ void add_view(std::vector<Field>& rows) {
                      .within(1e-3, 1e6));
   rows.push_back(Row("view.eye_overlay", PSM_CHOICE(as_list(kEyeOverlays), view.eye_overlay), "",
                      "What the eye view's colours mean: the picture itself, the size m or the anisotropy of the map's texels in "
-                     "it, or its errors against ray-traced shadows."));
+                     "it, its errors against ray-traced shadows, or how much of the light each point sees."));
   rows.push_back(Row("view.texel_grid", PSM_CHOICE((std::vector<std::string>{"off", "on"}), view.texel_grid), "",
                      "Whether the map's texels are drawn on the receivers, in the eye, world and cube view."));
   rows.push_back(Row("view.probe", PSM_REF(AutoPixelRef, view.probe), "px",
@@ -190,6 +231,7 @@ std::vector<Field> make_fields() {
   add_scene_and_camera(rows);
   add_light(rows);
   add_shadow(rows);
+  add_bias_and_filter(rows);
   add_view(rows);
   return rows;
 }
@@ -208,7 +250,7 @@ struct AllowedValues {
   std::string operator()(const NumberRef&) const {
     return "a number in " + range_text(field) + (field.may_be_infinite ? ", or inf" : "");
   }
-  std::string operator()(const IntRef&) const { return "a whole number in " + range_text(field); }
+  std::string operator()(const IntRef&) const { return (field.odd ? "an odd" : "a whole") + (" number in " + range_text(field)); }
   std::string operator()(const Vec2Ref&) const { return allowed_vector(field, "two"); }
   std::string operator()(const Vec3Ref&) const { return allowed_vector(field, "three"); }
   std::string operator()(const TextRef&) const { return "a built-in scene's id, or a path to a .gltf or .glb file"; }
@@ -296,7 +338,10 @@ struct InRange {
     return !field.nonzero || largest >= kShortest;
   }
   bool operator()(const NumberRef& ref) const { return number(read(ref, experiment)); }
-  bool operator()(const IntRef& ref) const { return number(read(ref, experiment)); }
+  bool operator()(const IntRef& ref) const {
+    const int value = read(ref, experiment);
+    return number(value) && !(field.odd && value % 2 == 0);
+  }
   bool operator()(const Vec2Ref& ref) const { return vector<2>(read(ref, experiment), 2); }
   bool operator()(const Vec3Ref& ref) const { return vector<3>(read(ref, experiment), 3); }
   bool operator()(const TextRef& ref) const {
@@ -408,6 +453,8 @@ std::optional<InputError> check_experiment(const Experiment& experiment) {
 const char* name_of(LightType type) { return kLightTypes[std::size_t(type)]; }
 const char* name_of(Technique technique) { return kTechniques[std::size_t(technique)]; }
 const char* name_of(EyeOverlay overlay) { return kEyeOverlays[std::size_t(overlay)]; }
+const char* name_of(Cull cull) { return kCulls[std::size_t(cull)]; }
+const char* name_of(Filter filter) { return kFilters[std::size_t(filter)]; }
 const char* name_of(ViewId id) { return kViews[std::size_t(id)]; }
 
 const char* name_of(ShiftRule rule) { return kShiftRules[std::size_t(rule)]; }

@@ -44,12 +44,13 @@ enum class Technique {
 /// in front of the eye or inside the shifted frustum; `automatic` leaves the rule to the technique.
 enum class ShiftRule { automatic, in_front, inside };
 using CameraShift = std::variant<ShiftRule, double>;
-enum class Filter { none };
+enum class Cull { none, front, back };  // faces of casters that are left out of the map
+enum class Filter { none, hardware, pcf };
 enum class NearFit { off, bounds, depth };
 enum class Focus { bounds, visible };
 enum class WarpRange { receivers, frustum };
 enum class SceneBody { box, hull, automatic };
-enum class EyeOverlay { none, texel_size, anisotropy, errors };
+enum class EyeOverlay { none, texel_size, anisotropy, errors, penumbra };
 enum class ViewId { world, cube, map, eye, body };
 inline constexpr std::array kAllViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye, ViewId::body};  // by value
 inline constexpr std::array kMainViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};  // shown unless asked otherwise
@@ -80,14 +81,20 @@ struct LightSettings {
   glm::dvec3 to_light{0.3, 1.0, 0.2};
   glm::dvec3 position{0.0, 4.0, 0.0}, target{0.0, 0.0, 0.0};
   double cone_deg = 60.0;
+  double radius = 0.0;  // of an area light's disc, which faces each point; of a directional light's at distance 1
   bool operator==(const LightSettings&) const = default;
 };
 
 struct ShadowSettings {
   Technique technique = Technique::gmnpr;
-  int resolution = 1024;  // texels along each side of the map
+  int resolution = 1024;    // texels along each side of the map
+  double depth_bias = 1.5;  // texels; how much of it grows with the caster's slope is slope_bias
+  double slope_bias =
+      1.0;  // 1: along the steeper of the two depth slopes of the caster; 0: constant, as on a slope of 45 degrees
+  double normal_bias = 0.0;  // texels, by their reach along the receiver's normal
+  Cull cull = Cull::none;
   Filter filter = Filter::none;
-  double depth_bias = 1.5;  // in texels along the steeper of the two depth slopes of the caster
+  int filter_size = 3;  // of pcf: texels across, odd
   CameraShift camera_shift;
   NearFit near_fit = NearFit::bounds;
   Focus focus = Focus::bounds;
@@ -95,6 +102,9 @@ struct ShadowSettings {
   SceneBody scene_body = SceneBody::box;     // S
   std::optional<glm::dvec4> receiver_plane;  // none: auto
   std::optional<glm::dvec4> plane;           // vanishing plane of technique custom
+  /// The two parts of depth_bias, texels.
+  double slope_scaled_bias() const { return depth_bias * slope_bias; }
+  double constant_bias() const { return depth_bias * (1.0 - slope_bias); }
   bool operator==(const ShadowSettings&) const = default;
 };
 
@@ -155,9 +165,11 @@ struct Field {
   double min = -1e300, max = 1e300;         // of a number or of each component
   bool open_min = false, open_max = false;  // the bound itself is not allowed
   bool may_be_infinite = false;             // "inf" is allowed
+  bool odd = false;                         // a whole number: not an even one
   bool nonzero = false;                     // a vector: not the zero vector; a plane: its normal is not
   std::string absent = "auto";              // the word for "no value" of AutoPixelRef and AutoPlaneRef: "auto" or "null"
   std::string help;                         // one sentence
+  std::string pane_group;                   // the control pane's heading over it; empty: the path's first part
   /// False where the member means nothing for this experiment (a spot's cone while the light is directional).
   std::function<bool(const Experiment&)> applies = [](const Experiment&) { return true; };
 };
@@ -192,6 +204,8 @@ const char* name_of(ViewId);
 const char* name_of(ShiftRule);
 const char* name_of(EyeOverlay);
 std::optional<ViewId> view_from_name(const std::string& name);
+const char* name_of(Cull);
+const char* name_of(Filter);
 std::vector<std::string> technique_names();
 std::optional<ShiftRule> shift_rule_from_name(const std::string& name);
 /// Whether the technique looks from a shifted eye.

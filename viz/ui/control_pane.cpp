@@ -201,6 +201,7 @@ void control_fields(UiContext& ui, LightControls& light, Experiment& experiment)
   }
   if (group_header(ui, "camera", true)) group_of_fields(ui, "camera", experiment);
   if (group_header(ui, "shadow", true)) group_of_fields(ui, "shadow", experiment);
+  if (group_header(ui, "bias and filter", false)) group_of_fields(ui, "bias and filter", experiment);
   if (group_header(ui, "image", false)) group_of_fields(ui, "image", experiment);
   if (group_header(ui, "view", false)) group_of_fields(ui, "view", experiment);
 }

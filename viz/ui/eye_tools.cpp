@@ -8,7 +8,8 @@
 namespace psm {
 namespace {
 
-constexpr EyeOverlay kOverlays[] = {EyeOverlay::none, EyeOverlay::texel_size, EyeOverlay::anisotropy, EyeOverlay::errors};
+constexpr EyeOverlay kOverlays[] = {EyeOverlay::none, EyeOverlay::texel_size, EyeOverlay::anisotropy, EyeOverlay::errors,
+                                    EyeOverlay::penumbra};
 
 const char* explanation(EyeOverlay overlay) {
   switch (overlay) {
@@ -20,6 +21,8 @@ const char* explanation(EyeOverlay overlay) {
       return "A texel's largest extent in the picture by its smallest.";
     case EyeOverlay::errors:
       return "Where the map is wrong against ray-traced shadows, by cause; traced when nothing moves.";
+    case EyeOverlay::penumbra:
+      return "How much of the light each point sees, by rays: umbra, penumbra, lit. light.radius gives the light its size.";
   }
   return "";
 }
@@ -41,7 +44,7 @@ void overlay_menu(UiContext& ui, Experiment& experiment, float width) {
 }  // namespace
 
 const char* display_name(EyeOverlay overlay) {
-  constexpr const char* names[] = {"Picture", "Texel size m", "Anisotropy", "Errors"};
+  constexpr const char* names[] = {"Picture", "Texel size m", "Anisotropy", "Errors", "Penumbra"};
   return names[std::size_t(overlay)];
 }
 

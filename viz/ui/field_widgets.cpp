@@ -206,7 +206,9 @@ void reset_button(UiContext& ui, const Field& field, Experiment& experiment) {
 
 }  // namespace
 
-std::string field_group(const Field& field) { return field.path.substr(0, field.path.find('.')); }
+std::string field_group(const Field& field) {
+  return field.pane_group.empty() ? field.path.substr(0, field.path.find('.')) : field.pane_group;
+}
 
 std::string field_label(const Field& field) {
   std::string label = field.path.substr(field.path.find('.') + 1);
@@ -230,7 +232,9 @@ std::optional<SliderRange> slider_range(const Field& field, double size) {
   }
   if (name == "near" || name == "far") return SliderRange{size * 1e-4, size * 1e2, true, false};
   if (name == "resolution") return SliderRange{field.min, field.max, true, true};
-  if (name == "depth_bias") return SliderRange{0.0, 10.0, false, false};
+  if (name == "depth_bias" || name == "normal_bias") return SliderRange{0.0, 10.0, false, false};
+  if (name == "slope_bias" || name == "radius") return SliderRange{0.0, 1.0, false, false};
+  if (name == "filter_size") return SliderRange{field.min, field.max, false, true, 2.0};
   if (name == "map_zoom") return SliderRange{0.1, 1000.0, true, false};
   return std::nullopt;
 }

@@ -96,7 +96,7 @@ double step_by_keys(const SliderRange& range, double value) {
   if (pressed(ImGuiKey_PageDown)) step -= 0.1;
   if (step == 0.0) return value;
   const double next = slider_value(range, slider_place(range, value) + step);
-  return range.whole && next == value ? value + (step > 0 ? 1 : -1) : next;
+  return range.whole && next == value ? value + (step > 0 ? range.step : -range.step) : next;
 }
 
 void draw_ticks(const Track& track, const SliderRange& range, std::span<const Tick> ticks, Theme theme) {
@@ -157,7 +157,7 @@ double slider_value(const SliderRange& r, double place) {
   if (place <= 0.0) return r.min;
   if (place >= 1.0) return r.max;
   const double value = r.logarithmic ? r.min * std::pow(r.max / r.min, place) : r.min + place * (r.max - r.min);
-  return r.whole ? std::round(value) : value;
+  return r.whole ? r.min + r.step * std::round((value - r.min) / r.step) : value;
 }
 
 double snapped(const SliderRange& range, double value, std::span<const Tick> ticks, double reach) {

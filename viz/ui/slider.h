@@ -20,7 +20,8 @@ struct Tick {
 struct SliderRange {
   double min = 0.0, max = 1.0;
   bool logarithmic = false;  // then 0 < min
-  bool whole = false;        // whole numbers only
+  bool whole = false;        // whole numbers only,
+  double step = 1.0;         // these far apart, from min on
 };
 
 /// 0 at min, 1 at max, and back; clamped.

@@ -28,6 +28,7 @@ struct Clamp {
   void operator()(const IntRef& ref) const {
     int& x = ref(experiment);
     x = int(std::clamp(double(x), low(), high()));
+    if (field.odd && x % 2 == 0) x += x < high() ? 1 : -1;
   }
   void operator()(const Vec2Ref& ref) const { vector(ref(experiment)); }
   void operator()(const Vec3Ref& ref) const { vector(ref(experiment)); }

@@ -61,13 +61,22 @@ void ViewImages::upload(const Model& model, Profile& profile) {
   map_ = model.analysis_revision();
 }
 
-void ViewImages::trace_errors(const Model& model, Profile& profile) {
-  if (model.experiment().view.eye_overlay != EyeOverlay::errors)
-    return profile.skipped(Stage::truth, "the eye view shows no errors");
-  if (errors_ && errors_of_ == model.analysis_revision()) return;
+void ViewImages::trace_overlay(const Model& model, Profile& profile) {
+  const EyeOverlay overlay = model.experiment().view.eye_overlay;
+  if (!takes_rays(overlay)) return profile.skipped(Stage::truth, "the eye view shows nothing that takes rays");
+  if (is_traced(model, overlay)) return;
   upload(model, profile);
-  profile.run(Stage::truth, [&] { errors_ = compare_with_truth(renderer_, model.tracer(), model.analysis(), kQuickPixels); });
-  errors_of_ = model.analysis_revision();
+  profile.run(Stage::truth, [&] {
+    Analysis analysis = model.analysis();
+    analysis.experiment.view = model.experiment().view;
+    traced_ = psm::trace_overlay(renderer_, model.tracer(), analysis, quick_pixels(analysis.experiment.light));
+  });
+  traced_kind_ = overlay;
+  traced_of_ = model.analysis_revision();
+}
+
+bool ViewImages::is_traced(const Model& model, EyeOverlay overlay) const {
+  return traced_ && traced_kind_ == overlay && traced_of_ == model.analysis_revision();
 }
 
 int ViewImages::update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme,
@@ -83,15 +92,15 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
       continue;
     }
     View& view = views_[std::size_t(id)];
-    const bool wants_errors = id == ViewId::eye && shown.eye_overlay == EyeOverlay::errors;
-    const bool has_errors = wants_errors && errors_ && errors_of_ == model.analysis_revision();
-    const Key key{model.analysis_revision(), relevant(id, shown), size, scale, theme, has_errors ? errors_of_ : 0};
+    const bool wants_rays = id == ViewId::eye && takes_rays(shown.eye_overlay);
+    const bool has_rays = wants_rays && is_traced(model, shown.eye_overlay);
+    const Key key{model.analysis_revision(), relevant(id, shown), size, scale, theme, has_rays ? traced_of_ : 0};
     if (view.texture != 0 && view.key == key) continue;
     if (!is_drawing(id)) upload(model, profile);
     profile.run(stage_of(id), [&] {
       view.picture = describe_view(id, analysis_, model.scene(), size);
-      if (has_errors) show_errors(view.picture, *errors_);
-      if (wants_errors && !has_errors) announce_errors(view.picture);
+      if (has_rays) show_overlay(view.picture, *traced_);
+      if (wants_rays && !has_rays) announce_overlay(view.picture);
       view.texture = renderer_.draw_view(view.picture, analysis_, size, scale, theme);
     });
     view.key = key;

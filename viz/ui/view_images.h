@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "draw/view.h"
-#include "gl/error_view.h"
 #include "gl/renderer.h"
+#include "gl/traced_overlay.h"
 #include "ui/layout.h"
 #include "ui/model.h"
 #include "ui/profile.h"
@@ -43,9 +43,9 @@ class ViewImages {
   /// The card has this model's scene.
   bool has_scene_of(const Model& model) const { return scene_ == model.scene_revision(); }
 
-  /// The eye view's errors for this analysis, if the experiment shows them and they are not known yet. Takes tens of
+  /// The eye view's overlay for this analysis, if it takes rays and they are not traced yet. Takes tens of
   /// milliseconds.
-  void trace_errors(const Model& model, Profile& profile);
+  void trace_overlay(const Model& model, Profile& profile);
 
   const ViewPicture& picture(ViewId id) const { return views_[std::size_t(id)].picture; }
   std::uint32_t texture(ViewId id) const { return views_[std::size_t(id)].texture; }
@@ -59,7 +59,7 @@ class ViewImages {
     glm::ivec2 size{0};
     double scale = 0.0;
     Theme theme = Theme::light;
-    std::uint64_t errors = 0;  // the analysis whose errors are shown
+    std::uint64_t traced = 0;  // the analysis whose traced overlay is shown
     bool operator==(const Key&) const = default;
   };
   struct View {
@@ -68,11 +68,13 @@ class ViewImages {
     std::uint32_t texture = 0;
   };
   void upload(const Model& model, Profile& profile);
+  bool is_traced(const Model& model, EyeOverlay overlay) const;
 
   Renderer& renderer_;
   Analysis analysis_;
-  std::optional<ErrorView> errors_;
-  std::uint64_t errors_of_ = 0;  // analysis revision
+  std::optional<TracedOverlay> traced_;
+  EyeOverlay traced_kind_ = EyeOverlay::none;
+  std::uint64_t traced_of_ = 0;  // analysis revision
   std::uint64_t scene_ = 0, map_ = 0, known_analysis_ = 0;
   std::array<View, kAllViews.size()> views_;
 };

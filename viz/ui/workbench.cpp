@@ -242,7 +242,7 @@ void Workbench::draw_views(Frame& f) {
   const auto start = std::chrono::steady_clock::now();
   const auto sizes = f.view_sizes();
   const bool resting = !f.changed && !shift_play_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
-  if (resting && sizes[std::size_t(ViewId::eye)].x > 0) images_.trace_errors(model_, profile_);
+  if (resting && sizes[std::size_t(ViewId::eye)].x > 0) images_.trace_overlay(model_, profile_);
   // A fit that a hidden view never had is found when the view shows.
   const int drawn = images_.update(model_, fitted_.shown(model_, sizes), sizes, f.scale, settings_.theme, profile_);
   if (images_.has_scene_of(model_)) readback_.ask(model_, renderer_, profile_);

@@ -162,7 +162,7 @@ void Workbench::change_technique(int step) {
 void Workbench::change_eye_overlay() {
   Experiment edited = model_.experiment();
   EyeOverlay& overlay = edited.view.eye_overlay;
-  overlay = overlay == EyeOverlay::errors ? EyeOverlay::none : EyeOverlay(int(overlay) + 1);
+  overlay = overlay == EyeOverlay::penumbra ? EyeOverlay::none : EyeOverlay(int(overlay) + 1);
   commit_now(edited);
 }
 
