@@ -37,13 +37,13 @@ Result<std::vector<SheetPanel>> load_panels(const FigureFile& figure, const fs::
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const FigurePanel& panel = figure.panels[i];
     if (i > 0 && panel.experiment == figure.panels[i - 1].experiment) {
-      panels.push_back({panels.back().loaded, panel.view, panel.title});
+      panels.push_back({panels.back().loaded, panel.view, panel.title, panel.hidden});
       continue;
     }
     const std::string name = file.string() + ": panels[" + std::to_string(i) + "]";
     auto loaded = parse_experiment(panel.experiment, name, file.parent_path(), overrides);
     if (!loaded) return loaded.error();
-    panels.push_back({std::make_shared<const LoadedExperiment>(std::move(*loaded)), panel.view, panel.title});
+    panels.push_back({std::make_shared<const LoadedExperiment>(std::move(*loaded)), panel.view, panel.title, panel.hidden});
   }
   return panels;
 }
@@ -107,12 +107,12 @@ int write_figure(SheetPainter& painter, const fs::path& file, const FigureArgume
 
 /// Each is written as soon as it is drawn, and named.
 int write_all(const FigureArguments& arguments) {
+  if (check_picture_name("x." + arguments.format, false))
+    return bad_input(flag_error("--format", arguments.format, "png, svg, or pdf where this program was built with Cairo"));
   std::error_code failed;
   fs::create_directories(arguments.out, failed);
   if (failed || arguments.out.empty())
     return bad_input(flag_error("--out", arguments.out, "a folder that exists or can be made"));
-  if (const auto error = check_picture_name((fs::path(arguments.out) / ("x." + arguments.format)).string(), false))
-    return bad_input(flag_error("--format", arguments.format, "png, svg, or pdf where this program was built with Cairo"));
   const auto context = HeadlessContext::create();
   if (!context) return other_failure(context.error());
   SheetPainter painter;

@@ -100,6 +100,7 @@ struct SheetPainter::State {
     if (panel.view == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay))
       show_overlay(picture, trace_overlay(renderer, *tracer, analysis, kAllPixels));
     if (probe) append(picture.list, probe_list(*probe, panel.view, analysis, panel.size));
+    for (const Role role : panel.hidden) remove(picture.list, role);
     if (panel.title) picture.title = *panel.title;
     return picture;
   }

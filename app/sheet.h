@@ -18,6 +18,7 @@ struct SheetPanel {
   std::shared_ptr<const LoadedExperiment> loaded;
   ViewId view = ViewId::world;
   std::optional<std::string> title;  // none: the view's own
+  std::vector<Role> hidden = {};  // left out
   glm::ivec2 top_left{0}, size{0};
 };
 

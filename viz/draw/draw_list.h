@@ -4,6 +4,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,13 @@ struct DrawList {
 
 /// Another drawing of the same space over this one.
 void append(DrawList& list, DrawList other);
+
+/// Takes out everything of this role.
+void remove(DrawList& list, Role role);
+
+/// "caster_body" and so on; nothing for other names.
+const char* name_of(Role role);
+std::optional<Role> role_from_name(const std::string& name);
 
 /// sRGB, 0 to 1. `role_color` is for fills and points; lines and text need more contrast on white: darker variants of the same
 /// hue, at least 3:1 for lines and 4.5:1 for text (the palette's orange, sky blue and yellow have 2.3, 2.3 and 1.3).

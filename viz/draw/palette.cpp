@@ -9,22 +9,23 @@ namespace {
 
 struct RoleColors {
   Role role;
+  const char* name;
   unsigned fill, line, text;  // 0xRRGGBB
 };
 
 // The map's window shares the texel grid's hue, darker: it is that grid's border.
 constexpr std::array<RoleColors, 11> palette{{
-    {Role::frustum, 0x0072B2, 0x0072B2, 0x004E7C},
-    {Role::light, 0xE69F00, 0xC28100, 0x7A5100},
-    {Role::caster_body, 0xF0E442, 0x8F8500, 0x645D00},
-    {Role::receivers_body, 0x56B4E9, 0x2F8FC6, 0x1F5F86},
-    {Role::vanishing_plane, 0xCC79A7, 0xBF6597, 0x8F3F6B},
-    {Role::map_window, 0x00694C, 0x00694C, 0x005A41},
-    {Role::infinity, 0xD55E00, 0xD55E00, 0x9A4400},
-    {Role::texel_grid, 0x009E73, 0x009E73, 0x006048},
-    {Role::scene_bounds, 0x8A8A8A, 0x767676, 0x555555},
-    {Role::neutral, 0x999999, 0x6B6B6B, 0x4A4A4A},
-    {Role::text, 0x222222, 0x222222, 0x222222},
+    {Role::frustum, "frustum", 0x0072B2, 0x0072B2, 0x004E7C},
+    {Role::light, "light", 0xE69F00, 0xC28100, 0x7A5100},
+    {Role::caster_body, "caster_body", 0xF0E442, 0x8F8500, 0x645D00},
+    {Role::receivers_body, "receivers_body", 0x56B4E9, 0x2F8FC6, 0x1F5F86},
+    {Role::vanishing_plane, "vanishing_plane", 0xCC79A7, 0xBF6597, 0x8F3F6B},
+    {Role::map_window, "map_window", 0x00694C, 0x00694C, 0x005A41},
+    {Role::infinity, "infinity", 0xD55E00, 0xD55E00, 0x9A4400},
+    {Role::texel_grid, "texel_grid", 0x009E73, 0x009E73, 0x006048},
+    {Role::scene_bounds, "scene_bounds", 0x8A8A8A, 0x767676, 0x555555},
+    {Role::neutral, "neutral", 0x999999, 0x6B6B6B, 0x4A4A4A},
+    {Role::text, "text", 0x222222, 0x222222, 0x222222},
 }};
 
 const RoleColors& colors_of(Role role) { return palette[static_cast<std::size_t>(role)]; }
@@ -40,6 +41,14 @@ static_assert(palette_in_role_order());
 glm::vec3 rgb(unsigned hex) { return glm::vec3((hex >> 16) & 255, (hex >> 8) & 255, hex & 255) / 255.0f; }
 
 }  // namespace
+
+const char* name_of(Role role) { return colors_of(role).name; }
+
+std::optional<Role> role_from_name(const std::string& name) {
+  for (const RoleColors& colors : palette)
+    if (name == colors.name) return colors.role;
+  return std::nullopt;
+}
 
 glm::vec3 role_color(Role role) { return rgb(colors_of(role).fill); }
 glm::vec3 role_line_color(Role role) { return rgb(colors_of(role).line); }

@@ -81,6 +81,14 @@ void append(DrawList& list, DrawList other) {
   std::move(other.labels.begin(), other.labels.end(), std::back_inserter(list.labels));
 }
 
+void remove(DrawList& list, Role role) {
+  const auto has_role = [role](const auto& thing) { return thing.role == role; };
+  std::erase_if(list.lines, has_role);
+  std::erase_if(list.fills, has_role);
+  std::erase_if(list.points, has_role);
+  std::erase_if(list.labels, has_role);
+}
+
 std::vector<std::array<int, 2>> body_edges(const ConvexBody& body) {
   std::set<std::array<int, 2>> edges;
   for (const std::vector<int>& facet : body.facets) {

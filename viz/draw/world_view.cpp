@@ -45,6 +45,7 @@ class WorldView {
     receivers_body();
     frustum();
     camera();
+    shifted_eye();
     vanishing_plane();
     light();
     ViewPicture picture;
@@ -140,6 +141,23 @@ class WorldView {
     sketch_.line(eye, eye + 3.2 * size * forward, pen, Head::arrow);
     sketch_.point(eye, Role::frustum, 4.5);
     sketch_.label(eye, "eye", Role::frustum, 10);
+  }
+
+  /// Where the eye stands for the map after it stepped back (PSM 2002, section 4.2), and its frustum.
+  void shifted_eye() {
+    if (!(analysis_.camera_shift > 0.0)) return;
+    const glm::dvec3 forward = -glm::dvec3(row(analysis_.view_from_world, 2));
+    const glm::dvec3 eye = analysis_.experiment.camera.position - analysis_.camera_shift * forward;
+    const glm::dmat4 world_from_cube = glm::inverse(analysis_.cube_from_world);
+    const auto cube = cube_corners();
+    const Pen pen{Role::frustum, 1.5, LineStyle::dashed};
+    for (int i = 4; i < 8; ++i) {
+      const glm::dvec4 far = world_from_cube * at(cube[i]), next = world_from_cube * at(cube[4 + (i + 1) % 4]);
+      sketch_.line_in_front(at(eye), far, pen);
+      sketch_.line_in_front(far, next, pen);
+    }
+    sketch_.point(eye, Role::neutral, 4.0);
+    sketch_.label(eye, "eye, shifted", Role::frustum, 9);
   }
 
   /// A grid on the plane c = 0 beside the scene; nothing where the plane is far away or at infinity.

@@ -52,15 +52,35 @@ int whole_number(const json& value, const std::string& place, int most) {
   return int(number);
 }
 
+std::string role_names() {
+  std::string names = "any of:";
+  for (int i = 0; i <= int(Role::text); ++i) names += std::string(i ? ", " : " ") + name_of(Role(i));
+  return names;
+}
+
 json experiment_in(const json& object, const std::string& place) {
   const json members = object.value("experiment", json::object());
   if (!members.is_object()) refuse(place + "experiment", members, "an object with members of an experiment");
   return members;
 }
 
-FigurePanel read_panel(const json& object, const std::string& place, const json& shared) {
-  allow_only(object, place, {"view", "title", "experiment"});
+std::vector<Role> roles_in(const json& object, const std::string& place, const std::vector<Role>& otherwise) {
+  const auto names = object.find("hide");
+  if (names == object.end()) return otherwise;
+  if (!names->is_array()) refuse(place + "hide", *names, "a list of roles");
+  std::vector<Role> roles;
+  for (const json& name : *names) {
+    const auto role = name.is_string() ? role_from_name(name) : std::nullopt;
+    if (!role) refuse(place + "hide", name, role_names());
+    roles.push_back(*role);
+  }
+  return roles;
+}
+
+FigurePanel read_panel(const json& object, const std::string& place, const json& shared, const std::vector<Role>& hidden) {
+  allow_only(object, place, {"view", "title", "experiment", "hide"});
   FigurePanel panel;
+  panel.hidden = roles_in(object, place + ".", hidden);
   const json view = object.value("view", json("world"));
   std::string names;
   bool known = false;
@@ -80,7 +100,7 @@ FigurePanel read_panel(const json& object, const std::string& place, const json&
 }
 
 FigureFile read(const json& root) {
-  allow_only(root, "figure", {"psmlab_figure", "title", "source", "columns", "panel_size", "experiment", "panels"});
+  allow_only(root, "figure", {"psmlab_figure", "title", "source", "columns", "panel_size", "experiment", "hide", "panels"});
   if (root.value("psmlab_figure", json()) != 1) refuse("psmlab_figure", root.value("psmlab_figure", json()), "1");
   FigureFile figure;
   figure.title = text_in(root, "title");
@@ -94,8 +114,9 @@ FigureFile read(const json& root) {
   if (!panels.is_array() || panels.empty() || panels.size() > std::size_t(kMostPanels))
     refuse("panels", panels, "a list of 1 to " + std::to_string(kMostPanels) + " panels");
   const json shared = experiment_in(root, "");
+  const std::vector<Role> hidden = roles_in(root, "", {});
   for (std::size_t i = 0; i < panels.size(); ++i)
-    figure.panels.push_back(read_panel(panels[i], "panels[" + std::to_string(i) + "]", shared));
+    figure.panels.push_back(read_panel(panels[i], "panels[" + std::to_string(i) + "]", shared, hidden));
   return figure;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/draw_list.h"
 #include "scene/experiment.h"
 #include "scene/result.h"
 
@@ -17,6 +18,7 @@ struct FigurePanel {
   ViewId view = ViewId::world;
   std::optional<std::string> title;  // none: the view's own
   std::string experiment;            // JSON: the figure's members, with the panel's own over them
+  std::vector<Role> hidden;          // the figure's, or the panel's own instead
 };
 
 struct FigureFile {
