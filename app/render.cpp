@@ -42,7 +42,7 @@ Sheet sheet_of(const LoadedExperiment& loaded, const RenderRequest& request, con
   sheet.status_height = layout.status_height;
   const auto shared = std::make_shared<const LoadedExperiment>(loaded);
   for (std::size_t i = 0; i < request.views.size(); ++i)
-    sheet.panels.push_back({shared, request.views[i], std::nullopt, {}, layout.origins[i], layout.tile});
+    sheet.panels.push_back({shared, request.views[i], false, std::nullopt, {}, layout.origins[i], layout.tile});
   return sheet;
 }
 

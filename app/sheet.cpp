@@ -69,8 +69,9 @@ std::optional<Probe> probe_at(const RayTracer& tracer, const Analysis& analysis)
 std::string parameters_of(const Sheet& sheet) {
   std::string text = "[";
   for (const SheetPanel& panel : sheet.panels)
-    text += std::string(text.size() > 1 ? "," : "") + "{\"view\": \"" + name_of(panel.view) +
-            "\", \"experiment\": " + experiment_to_json(panel.loaded->experiment) + "}";
+    text += std::string(text.size() > 1 ? "," : "") + "{\"view\": \"" + name_of(panel.view) + "\"" +
+            (panel.scene_in_map ? ", \"shows\": \"scene\"" : "") +
+            ", \"experiment\": " + experiment_to_json(panel.loaded->experiment) + "}";
   return text + "]";
 }
 
@@ -100,6 +101,7 @@ struct SheetPainter::State {
     if (panel.view == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay))
       show_overlay(picture, trace_overlay(renderer, *tracer, analysis, kAllPixels));
     if (probe) append(picture.list, probe_list(*probe, panel.view, analysis, panel.size));
+    if (panel.scene_in_map) show_scene_in_map(picture, analysis);
     for (const Role role : panel.hidden) remove(picture.list, role);
     if (panel.title) picture.title = *panel.title;
     return picture;
