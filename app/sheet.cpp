@@ -115,8 +115,9 @@ struct SheetPainter::State {
 
   /// The scene and what it hides partly, and the depth that decides what it hides.
   ViewRaster raster(const ViewPicture& picture, const Sheet& sheet, const glm::ivec2& size, const PictureFrame& frame) {
-    const int samples = samples_along(size);
     ViewRaster raster;
+    if (picture.scene == ScenePicture::none) return raster;
+    const int samples = samples_along(size);
     raster.image = draw(picture, sheet, size, samples);
     raster.depth = renderer.read_view_depth(picture.id);
     ViewPicture bare = picture;

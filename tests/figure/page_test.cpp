@@ -38,7 +38,8 @@ TEST(PageSvg, IsWellFormedAndHoldsEverythingAsWhatItIs) {
   EXPECT_THAT(svg, HasSubstr("font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\""));
   EXPECT_THAT(svg, HasSubstr("stroke-dasharray=\"5 4\""));
   EXPECT_THAT(svg, HasSubstr("<linearGradient"));
-  EXPECT_THAT(svg, HasSubstr("<polygon points=\"0,0 9,0 0,9\" fill=\"#0000FF\" fill-opacity=\"0.5\"/>"));
+  EXPECT_THAT(
+      svg, HasSubstr("<polygon points=\"0,0 9,0 0,9\" fill=\"#0000FF\" fill-opacity=\"0.5\" shape-rendering=\"crispEdges\"/>"));
   EXPECT_THAT(svg, HasSubstr("href=\"data:image/png;base64,iVBORw0KGgo"));
   EXPECT_THAT(svg, HasSubstr("<title>a &lt; b &amp; c</title>"));
   EXPECT_THAT(svg, HasSubstr("<metadata>{&quot;near&quot;: 1}</metadata>"));

@@ -112,6 +112,16 @@ TEST(ViewPanel, EveryLabelIsText) {
   EXPECT_EQ(texts[0].size.y, kTextHeight);
 }
 
+TEST(ViewPanel, ADrawingHasNoPixels) {
+  ViewPicture picture;
+  picture.list.lines = {across(0.5)};
+  picture.list.fills = {square(0.5, -0.5, 0.5)};
+  const PagePanel panel = view_panel(picture, kFrame, {}, {0, 0}, font());
+  EXPECT_TRUE(items_of<PageImage>(panel).empty());
+  EXPECT_EQ(items_of<PageLine>(panel).size(), 1u);
+  EXPECT_EQ(items_of<PagePolygon>(panel).size(), 1u);
+}
+
 TEST(ViewPanel, StandsWhereItIsPut) {
   const auto lines = items_of<PageLine>(panel_of({{across(0.0)}, {}, {}, {}}, {300.0, 40.0}));
   ASSERT_EQ(lines.size(), 1u);

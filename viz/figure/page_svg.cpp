@@ -66,7 +66,9 @@ class SvgWriter {
   void operator()(const PagePolygon& polygon) {
     std::string points;
     for (const glm::dvec2& p : polygon.corners) points += (points.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
-    body += "<polygon" + attribute("points", points) + paint("fill", polygon.fill) + "/>\n";
+    // Feathered edges of translucent neighbours would show as seams.
+    const std::string edges = polygon.fill.a < 1.0f ? attribute("shape-rendering", "crispEdges") : "";
+    body += "<polygon" + attribute("points", points) + paint("fill", polygon.fill) + edges + "/>\n";
   }
 
   void operator()(const PageBox& box) {

@@ -211,7 +211,7 @@ PagePanel view_panel(const ViewPicture& picture, const PictureFrame& frame, View
   }
   const Annotations notes =
       annotate(picture, frame, [&](const std::string& text) { return font.text_size(text, kTextHeight * frame.scale); });
-  builder.add(PageImage{top_left, frame.size, raster.image});
+  if (!raster.image.rgba.empty()) builder.add(PageImage{top_left, frame.size, raster.image});
   builder.fills(std::move(polygons), depths);
   builder.lines(Seen::behind);
   builder.lines(Seen::in_front);

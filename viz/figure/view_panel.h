@@ -12,6 +12,7 @@
 namespace psm {
 
 /// A view in pixels, as the renderer has it: rows top to bottom; the depth, in [0, 1], decides which parts of lines are hidden.
+/// Empty for views that show no scene.
 struct ViewRaster {
   Image image;
   std::vector<float> depth;  // as large as the image
