@@ -17,12 +17,14 @@ namespace psm {
 namespace {
 
 constexpr const char* kExperimentHelp =
-    "An experiment file (.psm.json), a .gltf or .glb file, or a built-in scene's id; without it, the chessboard";
+    "An experiment file (.psm.json), a .gltf or .glb file, a built-in scene's id, or a copied line, 'psmlab:...'; without it, "
+    "the "
+    "chessboard";
 
 /// Everything that can be typed. CLI11 keeps references to it while it parses.
 struct Arguments {
   ExperimentArguments experiment;  // of the window and of analyze
-  bool texels = false;
+  bool texels = false, present = false;
   std::string matrices, convention = "opengl";
   CurvesText curves;
   RenderArguments render;
@@ -151,6 +153,7 @@ int parse_and_run(int argc, char** argv) {
   app.set_version_flag("--version", "psmlab " PSMLAB_VERSION);
   app.require_subcommand(0, 1);
   CLI::Option* window_experiment = add_experiment(app, arguments.experiment);
+  app.add_flag("--present", arguments.present, "Opens the window in front of a class: large type, no controls (key F11)");
   CLI::App& analyze = *app.add_subcommand("analyze", "Prints the analysis of an experiment as JSON");
   add_analyze(analyze, arguments);
   CLI::App& curves = *app.add_subcommand("curves", "Prints the error model as CSV, a row for each angle and technique");
@@ -192,8 +195,8 @@ int parse_and_run(int argc, char** argv) {
     return refuse(error, app);
   }
   // An experiment before the command's name would be lost without a word.
-  if (!app.get_subcommands().empty() && (window_experiment->count() > 0 || app.count("--set") > 0)) {
-    complain("EXPERIMENT and --set: not before the command's name; allowed: after it");
+  if (!app.get_subcommands().empty() && (window_experiment->count() > 0 || app.count("--set") > 0 || arguments.present)) {
+    complain("EXPERIMENT, --set and --present: not before the command's name; allowed: after it");
     return kBadInput;
   }
   if (analyze.parsed() && analyze.count("--matrices") > 0)
@@ -206,7 +209,7 @@ int parse_and_run(int argc, char** argv) {
   if (reported.parsed()) return report(arguments.report);
   if (scenes.parsed()) return write->count() > 0 ? write_scenes(arguments.scenes_folder) : list_scenes();
   if (lesson.parsed()) return lesson_check.parsed() ? check_lessons(arguments.lesson_files) : list_lessons();
-  return show_window(arguments.experiment);
+  return show_window(arguments.experiment, arguments.present);
 }
 
 /// A program started with closed standard streams must not find its own files under their numbers.

@@ -145,11 +145,11 @@ bool print(const std::string& text) {
 
 void complain(const std::string& line) { std::fprintf(stderr, "%s\n", one_line(line).c_str()); }
 
-int show_window(const ExperimentArguments& arguments) {
+int show_window(const ExperimentArguments& arguments, bool present) {
   const auto loaded = load(arguments);
   if (!loaded) return bad_input(loaded.error());
   if (!display_available()) return draw_without_display(*loaded);
-  const auto error = run_window(*loaded);
+  const auto error = run_window(*loaded, present);
   return error ? other_failure(*error) : kDone;
 }
 

@@ -27,7 +27,7 @@ struct RenderArguments {
   std::optional<std::string> sweep;
 };
 
-int show_window(const ExperimentArguments& arguments);
+int show_window(const ExperimentArguments& arguments, bool present);
 int print_analysis(const ExperimentArguments& arguments, bool texels);
 int print_matrices(const ExperimentArguments& arguments, const std::string& language, const std::string& convention);
 int print_curves(const CurvesText& text);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/compared_sides.h"
+
 namespace psm {
 namespace {
 
@@ -41,6 +43,10 @@ Sheet sheet_of(const LoadedExperiment& loaded, const RenderRequest& request, con
   sheet.title = loaded.scene.id;
   sheet.status_height = layout.status_height;
   const auto shared = std::make_shared<const LoadedExperiment>(loaded);
+  if (loaded.experiment.view.compare) {
+    add_compared_panels(sheet, shared, request.views, layout.origins, layout.tile);
+    return sheet;
+  }
   for (std::size_t i = 0; i < request.views.size(); ++i)
     sheet.panels.push_back({shared, request.views[i], false, std::nullopt, {}, layout.origins[i], layout.tile});
   return sheet;

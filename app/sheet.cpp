@@ -3,33 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "app/assets.h"
 #include "app/caption.h"
+#include "app/compared_sides.h"
+#include "app/pixels.h"
 #include "draw/probe.h"
 #include "figure/png.h"
 #include "figure/view_panel.h"
 #include "gl/traced_overlay.h"
 #include "measure/pick.h"
+#include "ui/comparison.h"
 
 namespace psm {
 namespace {
 
 constexpr double kStatusHeight = 18.0, kStatusInset = 5.0;  // pixels at scale 1
 constexpr int kMostRasterPixels = 16 << 20;                 // of a panel that is drawn larger than it is shown
-
-Image filled(const glm::ivec2& size, const glm::vec4& color) {
-  Image image{size.x, size.y, std::vector<std::uint8_t>(std::size_t(size.x) * size.y * 4)};
-  for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = std::uint8_t(std::lround(color[int(i % 4)] * 255.0f));
-  return image;
-}
-
-void paste(const Image& part, const glm::ivec2& origin, Image& whole) {
-  for (int y = 0; y < part.height; ++y)
-    std::memcpy(&whole.rgba[(std::size_t(origin.y + y) * whole.width + origin.x) * 4],
-                &part.rgba[std::size_t(y) * part.width * 4], std::size_t(part.width) * 4);
-}
 
 /// Means of two by two pixels, each with the weight of its opacity.
 Image halved(const Image& image) {
@@ -103,6 +93,7 @@ struct SheetPainter::State {
     if (probe) append(picture.list, probe_list(*probe, panel.view, analysis, panel.size));
     if (panel.scene_in_map) show_scene_in_map(picture, analysis);
     for (const Role role : panel.hidden) remove(picture.list, role);
+    if (panel.side) drop_divided_numbers(picture, analysis.experiment.view);
     if (panel.title) picture.title = *panel.title;
     return picture;
   }
@@ -136,14 +127,17 @@ SheetPainter::~SheetPainter() = default;
 Image SheetPainter::image(const Sheet& sheet) {
   const glm::vec4 background = sheet.transparent ? glm::vec4(0.0f) : glm::vec4(sheet.background, 1.0f);
   Image whole = filled(sheet.size, background);
+  std::vector<SidePlate> plates;
   for (const SheetPanel& panel : sheet.panels) {
     const ViewPicture picture = state_->describe(panel);
     const int samples = sheet.supersampled ? samples_along(panel.size) : 1;
     const Image image = state_->draw(picture, sheet, panel.size, samples);
-    paste(samples == 2 ? halved(image) : image, panel.top_left, whole);
+    paste(samples == 2 ? halved(image) : image, shown_columns(panel), panel.top_left, whole);
+    for (const SidePlate& plate : side_plates(panel, state_->analysis, sheet.scale)) plates.push_back(plate);
   }
+  const Caption caption(font_file(), kStatusHeight * sheet.scale);
+  for (const SidePlate& plate : plates) draw_plate(plate, caption, sheet, whole);
   if (sheet.status_height > 0) {
-    const Caption caption(font_file(), kStatusHeight * sheet.scale);
     const int inset = int(std::lround(kStatusInset * sheet.scale));
     caption.draw(whole, inset, sheet.size.y - sheet.status_height + inset, status_text(state_->analysis),
                  status_color(sheet.theme));
@@ -156,11 +150,17 @@ Result<Page> SheetPainter::page(const Sheet& sheet) {
   if (!font) return font.error();
   Page page{sheet.size, std::nullopt, {}, sheet.title, parameters_of(sheet)};
   if (!sheet.transparent) page.background = sheet.background;
+  std::vector<SidePlate> plates;
   for (const SheetPanel& panel : sheet.panels) {
     const PictureFrame frame{panel.size, sheet.scale, sheet.theme};
     const ViewPicture picture = state_->describe(panel);
     page.panels.push_back(view_panel(picture, frame, state_->raster(picture, sheet, panel.size, frame), panel.top_left, *font));
+    const glm::ivec2 columns = shown_columns(panel);
+    page.panels.back().top_left.x += columns.x;
+    page.panels.back().size.x = columns.y - columns.x;
+    for (const SidePlate& plate : side_plates(panel, state_->analysis, sheet.scale)) plates.push_back(plate);
   }
+  for (const SidePlate& plate : plates) page.panels.push_back(plate_panel(plate, *font, sheet));
   if (sheet.status_height > 0) {
     const std::string text = status_text(state_->analysis);
     const double inset = kStatusInset * sheet.scale;

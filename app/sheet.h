@@ -21,6 +21,7 @@ struct SheetPanel {
   std::optional<std::string> title;  // none: the view's own
   std::vector<Role> hidden = {};     // left out
   glm::ivec2 top_left{0}, size{0};
+  char side = 0;  // 'A' or 'B' where two techniques share the view
 };
 
 struct Sheet {
@@ -31,7 +32,7 @@ struct Sheet {
   bool supersampled = false;   // four pixels are drawn for each
   glm::vec3 background{1.0f};  // between panels
   std::vector<SheetPanel> panels;
-  int status_height = 0;  // of a line at the bottom about the first panel's light; 0: none
+  int status_height = 0;  // of a line at the bottom about the last panel's light; 0: none
   std::string title;
 };
 

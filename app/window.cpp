@@ -68,12 +68,27 @@ int printed_key(int key, int scancode) {
   return letter >= 'A' && letter <= 'Z' ? letter : key;
 }
 
+/// The screen (a lecturer has two) that shows this point; the first one where none does.
+GLFWmonitor* monitor_at(glm::ivec2 point) {
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    glm::ivec2 corner(0);
+    glfwGetMonitorPos(monitors[i], &corner.x, &corner.y);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+    const glm::ivec2 in = point - corner;
+    if (mode && in.x >= 0 && in.y >= 0 && in.x < mode->width && in.y < mode->height) return monitors[i];
+  }
+  return count > 0 ? monitors[0] : nullptr;
+}
+
 /// The window with everything in it. GLFW's callbacks find it by the window's user pointer.
 class App {
  public:
   App(GLFWwindow* window, const LoadedExperiment& loaded);
   ~App() { ImGui_ImplGlfw_Shutdown(); }
   void run();
+  void present(bool on) { workbench_.present(on); }
 
  private:
   static App& of(GLFWwindow* window) { return *static_cast<App*>(glfwGetWindowUserPointer(window)); }
@@ -81,6 +96,7 @@ class App {
   void wait();
   void ask_before_closing();
   void draw();
+  void fill_screen_while_presenting();
   glm::dvec2 framebuffer_point(double x, double y) const;
   static WorkbenchOptions options();
 
@@ -90,6 +106,8 @@ class App {
   Workbench workbench_;
   std::string title_;
   double last_time_ = 0.0;
+  bool fills_screen_ = false;
+  glm::ivec2 place_{0}, size_{0};  // of the window before it filled the screen
 };
 
 WorkbenchOptions App::options() {
@@ -184,6 +202,17 @@ void App::wait() {
   if (glfwGetTime() >= due) workbench_.wake();
 }
 
+void App::fill_screen_while_presenting() {
+  if (std::exchange(fills_screen_, workbench_.presenting()) == workbench_.presenting()) return;
+  workbench_.wake();
+  if (!fills_screen_) return glfwSetWindowMonitor(window_, nullptr, place_.x, place_.y, size_.x, size_.y, GLFW_DONT_CARE);
+  glfwGetWindowPos(window_, &place_.x, &place_.y);
+  glfwGetWindowSize(window_, &size_.x, &size_.y);
+  GLFWmonitor* monitor = monitor_at(place_ + size_ / 2);
+  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  if (mode) glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
 // A minimised window comes back with its question.
 void App::ask_before_closing() {
   if (!glfwWindowShouldClose(window_)) return;
@@ -196,6 +225,7 @@ void App::run() {
   while (!workbench_.wants_quit()) {
     wait();
     ask_before_closing();
+    fill_screen_while_presenting();
     const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
     if (!minimised && (workbench_.needs_redraw() || !input_.empty())) draw();
   }
@@ -205,7 +235,7 @@ void App::run() {
 
 bool display_available() { return bool(Glfw()); }
 
-std::optional<InputError> run_window(const LoadedExperiment& loaded) {
+std::optional<InputError> run_window(const LoadedExperiment& loaded, bool present) {
   const Glfw glfw;
   if (!glfw) return InputError{"cannot open a window: " + glfw_error()};
   const WindowPtr window = open_window("psmlab");
@@ -213,6 +243,7 @@ std::optional<InputError> run_window(const LoadedExperiment& loaded) {
   glfwMakeContextCurrent(window.get());
   glfwSwapInterval(1);
   App app(window.get(), loaded);
+  app.present(present);
   app.run();
   return std::nullopt;
 }

@@ -11,7 +11,8 @@ namespace psm {
 /// False where no window can be opened (no display).
 bool display_available();
 
-/// Opens the window on this experiment and runs until it is closed. An error if the window cannot be opened.
-std::optional<InputError> run_window(const LoadedExperiment& loaded);
+/// Opens the window on this experiment and runs until it is closed; `present`: in front of a class, at once. An error if the
+/// window cannot be opened.
+std::optional<InputError> run_window(const LoadedExperiment& loaded, bool present);
 
 }  // namespace psm

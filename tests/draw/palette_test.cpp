@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/draw_list.h"
+#include "draw/theme.h"
 
 namespace psm {
 namespace {
@@ -37,6 +37,15 @@ TEST(Palette, LinesAndTextReadOnWhite) {
   for (int i = 0; i < role_count; ++i) {
     EXPECT_GE(contrast_on_white(role_line_color(Role(i))), 3.0) << "role " << i;
     EXPECT_GE(contrast_on_white(role_text_color(Role(i))), 4.5) << "role " << i;
+  }
+}
+
+TEST(Palette, LinesAndLabelsOfPicturesReadInFrontOfAClassInBothThemes) {
+  for (const Theme theme : {Theme::light, Theme::dark}) {
+    for (int i = 0; i < role_count; ++i) {
+      EXPECT_GE(contrast(picture_line_color(Role(i), theme), picture_ground(theme)), 3.0f) << "role " << i;
+      EXPECT_GE(contrast(picture_label_color(Role(i), theme), picture_ground(theme)), 7.0f) << "role " << i;
+    }
   }
 }
 

@@ -39,6 +39,19 @@ TEST(CameraShift, PlaysFromZeroToTheAutomaticValue) {
   EXPECT_EQ(bench.experiment(), before);
 }
 
+TEST(CameraShift, WithReducedMotionItIsAtItsEndAtOnce) {
+  Bench bench("ground", kShifted);
+  const double automatic = bench.analysis().camera_shift;
+  Settings settings = bench.work().settings();
+  settings.reduced_motion = true;
+  bench.work().set_settings(settings);
+  bench.settle();
+  bench.input().key('A', true);
+  bench.input().key('A', false);
+  bench.frame();
+  EXPECT_EQ(bench.experiment().shadow.camera_shift, CameraShift(automatic));
+}
+
 TEST(CameraShift, TheRuleThatWasChosenIsPlayedAgain) {
   Bench bench("ground", {"light.type=point", "light.position=-6,9,8", "shadow.technique=psm", "shadow.camera_shift=inside"});
   const double inside = bench.analysis().camera_shift;

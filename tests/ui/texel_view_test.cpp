@@ -137,5 +137,20 @@ TEST(LinkedHovering, APixelCanBeKept) {
   EXPECT_FALSE(bench.work().probe());
 }
 
+TEST(TexelView, HoveringCanBeTurnedOffAndKeptTexelsStay) {
+  Bench bench;
+  const Rect eye = bench.work_places().at("view.eye");
+  bench.move({0.5 * (eye.min.x + eye.max.x), eye.min.y + 0.7 * eye.size().y});
+  EXPECT_TRUE(bench.work().probe());
+  Settings settings = bench.work().settings();
+  settings.hovering = false;
+  bench.work().set_settings(settings);
+  bench.settle();
+  EXPECT_FALSE(bench.work().probe());
+  bench.key('X');
+  EXPECT_TRUE(bench.work().probe()) << "key X keeps the one under the mouse";
+  EXPECT_FALSE(read_settings(bench.folder() / "config" / "settings.txt").hovering);
+}
+
 }  // namespace
 }  // namespace psm::test

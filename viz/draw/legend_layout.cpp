@@ -60,32 +60,57 @@ void hatch(std::vector<Mark>& marks, const PictureFrame& frame, glm::dvec2 corne
   }
 }
 
-}  // namespace
-
-Occupied lay_out_legend(const Legend& legend, const PictureFrame& frame, const TextSize& text_size, std::vector<TextBox>& texts,
-                        std::vector<Plate>& plates, std::vector<Mark>& marks) {
-  const double s = frame.scale, swatch = kSwatchWidth * s, gap = kGap * s, width = frame.size.x - 2.0 * (kInset + kPadding) * s;
-  std::vector<std::string> head = legend.title.empty() ? std::vector<std::string>{} : broken(legend.title, width, text_size),
-                           tail;
-  for (const std::string& line : legend.lines)
-    for (std::string& part : broken(line, width, text_size)) tail.push_back(std::move(part));
+/// A legend whose lines are broken where the view ends, and what that takes.
+struct Flowed {
+  std::vector<std::string> head, tail;
   std::vector<Item> items;
+  glm::dvec2 plate{0.0};
+};
+
+Flowed flowed(const Legend& legend, const PictureFrame& frame, const TextSize& text_size) {
+  const double s = frame.scale, swatch = kSwatchWidth * s, gap = kGap * s, width = frame.size.x - 2.0 * (kInset + kPadding) * s;
+  Flowed out;
+  if (!legend.title.empty()) out.head = broken(legend.title, width, text_size);
+  for (const std::string& line : legend.lines)
+    for (std::string& part : broken(line, width, text_size)) out.tail.push_back(std::move(part));
   const auto add_text = [&](const std::string& text) {
     const glm::dvec2 size = text_size(text);
-    items.push_back({{}, size, size, nullptr, &text});
+    out.items.push_back({{}, size, size, nullptr, &text});
   };
-  for (const std::string& line : head) add_text(line);
+  for (const std::string& line : out.head) add_text(line);
   for (const LegendEntry& entry : legend.entries) {
     const glm::dvec2 size = text_size(entry.text);
-    items.push_back({{}, {swatch + gap + size.x, size.y}, size, &entry, &entry.text});
+    out.items.push_back({{}, {swatch + gap + size.x, size.y}, size, &entry, &entry.text});
   }
-  for (const std::string& line : tail) add_text(line);
+  for (const std::string& line : out.tail) add_text(line);
+  out.plate = flow(out.items, s, width) + 2.0 * kPadding * s;
+  return out;
+}
 
-  const glm::dvec2 extent = flow(items, s, width), plate = extent + 2.0 * kPadding * s;
-  const glm::dvec2 corner(kInset * s, frame.size.y - kInset * s - plate.y), origin = corner + kPadding * s;
+/// What of the legend fits a quarter of the view: all, or without the numbers, or the colours alone, or nothing.
+Legend fitting(Legend legend, const PictureFrame& frame, const TextSize& text_size) {
+  const auto too_large = [&] {
+    const glm::dvec2 plate = flowed(legend, frame, text_size).plate;
+    return plate.x * plate.y > 0.25 * frame.size.x * frame.size.y;
+  };
+  if (too_large()) legend.lines.clear();
+  if (too_large()) legend.title.clear();
+  if (too_large()) legend.entries.clear();
+  return legend;
+}
+
+}  // namespace
+
+Occupied lay_out_legend(const Legend& asked, const PictureFrame& frame, const TextSize& text_size, std::vector<TextBox>& texts,
+                        std::vector<Plate>& plates, std::vector<Mark>& marks) {
+  const Legend legend = fitting(asked, frame, text_size);
+  if (legend.empty()) return {};
+  const double s = frame.scale, swatch = kSwatchWidth * s, gap = kGap * s;
+  const Flowed parts = flowed(legend, frame, text_size);
+  const glm::dvec2 plate = parts.plate, corner(kInset * s, frame.size.y - kInset * s - plate.y), origin = corner + kPadding * s;
   const glm::vec3 ink = picture_label_color(Role::text, frame.theme);
   plates.push_back({corner, plate, 4.0 * s, glm::vec4(picture_ground(frame.theme), kPlateOpacity), glm::vec4(ink, kRimOpacity)});
-  for (const Item& item : items) {
+  for (const Item& item : parts.items) {
     const glm::dvec2 at = origin + item.at;
     if (item.entry) {
       const glm::dvec2 size(swatch, std::round(0.8 * item.size.y)), top(at.x, at.y + 0.5 * (item.size.y - size.y));

@@ -7,7 +7,7 @@
 namespace psm {
 namespace {
 
-constexpr float kLineContrast = 3.0f, kTextContrast = 4.5f;
+constexpr float kLineContrast = 3.0f, kTextContrast = 7.0f;
 
 float decode(float s) { return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f); }
 float encode(float l) { return l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1.0f / 2.4f) - 0.055f; }

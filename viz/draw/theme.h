@@ -29,7 +29,7 @@ glm::vec3 picture_line_color(Role role, Theme theme);
 /// For translucent fills: the role's colour as it is.
 glm::vec3 picture_fill_color(Role role, Theme theme);
 
-/// For labels: at least 4.5:1.
+/// For labels: at least 7:1, so that they read from a projector as well.
 glm::vec3 picture_label_color(Role role, Theme theme);
 
 /// WCAG contrast of two sRGB colours, 1 to 21.

@@ -7,6 +7,7 @@
 
 #include "lesson/font_face.h"
 #include "lesson/formula.h"
+#include "scene/share_text.h"
 
 namespace psm {
 namespace {
@@ -191,14 +192,7 @@ ExperimentMembers members_at_start(const Lesson& lesson, std::size_t step) {
 }
 
 Result<ExperimentMembers> members_of_link(const std::string& link) {
-  std::vector<std::string> overrides;
-  std::string rest = link.substr(std::string("set:").size());
-  for (std::size_t end = 0; end != std::string::npos; rest.erase(0, end + 1)) {
-    end = rest.find('&');
-    overrides.push_back(rest.substr(0, end));
-    if (end == std::string::npos) break;
-  }
-  return members_from_overrides(overrides);
+  return members_from_pairs(link.substr(std::string("set:").size()));
 }
 
 }  // namespace psm

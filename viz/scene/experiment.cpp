@@ -58,11 +58,13 @@ Choice choice(std::vector<std::string> names, Access access) {
           [access](Experiment& e, int i) { access(e) = std::remove_reference_t<decltype(access(e))>(i); }};
 }
 
-Choice maximised_choice() {
+/// The same for a member that may have no value: "none", then the names.
+template <class Value, std::size_t N>
+Choice choice_or_none(const std::array<const char*, N>& values, std::optional<Value> ViewSettings::*member) {
   std::vector<std::string> names{"none"};
-  names.insert(names.end(), kViews.begin(), kViews.end());
-  return {std::move(names), [](const Experiment& e) { return e.view.maximised ? int(*e.view.maximised) + 1 : 0; },
-          [](Experiment& e, int i) { e.view.maximised = i == 0 ? std::nullopt : std::optional<ViewId>(ViewId(i - 1)); }};
+  names.insert(names.end(), values.begin(), values.end());
+  return {std::move(names), [member](const Experiment& e) { return e.view.*member ? int(*(e.view.*member)) + 1 : 0; },
+          [member](Experiment& e, int i) { e.view.*member = i == 0 ? std::nullopt : std::optional<Value>(Value(i - 1)); }};
 }
 
 bool is_directional(const Experiment& e) { return e.light.type == LightType::directional; }
@@ -202,7 +204,8 @@ void add_orbit(std::vector<Field>& rows, const std::string& view, OrbitSettings 
 }
 
 void add_view(std::vector<Field>& rows) {
-  rows.push_back(Row("view.maximised", maximised_choice(), "", "The one view that fills the window, or none."));
+  rows.push_back(Row("view.maximised", choice_or_none(kViews, &ViewSettings::maximised), "",
+                     "The one view that fills the window, or none."));
   rows.push_back(Row("view.tiles", PSM_REF(TilesRef, view.tiles), "", "The views that share the window, in reading order."));
   add_orbit(rows, "view.world", &ViewSettings::world, "scene units");
   add_orbit(rows, "view.cube", &ViewSettings::cube, "half cube sides");
@@ -221,6 +224,13 @@ void add_view(std::vector<Field>& rows) {
                      "The pixel x, y of the image, from its top left, whose texel, rays and angles all views show, or null.")
                      .within(0, 16384)
                      .absent_is("null"));
+  rows.push_back(Row("view.compare", choice_or_none(kTechniques, &ViewSettings::compare), "",
+                     "A second technique, B, that the eye, world and map view show beside the experiment's own, A, or none."));
+  rows.push_back(Row("view.compare_layout", PSM_CHOICE((std::vector<std::string>{"split", "side_by_side"}), view.compare_layout),
+                     "", "How A and B share a view: a dividing line (two maps always stand side by side), or a picture each."));
+  rows.push_back(Row("view.split", PSM_REF(NumberRef, view.split), "",
+                     "Where the line between A and B stands, as a part of the picture's width.")
+                     .within(0, 1));
 }
 
 #undef PSM_REF

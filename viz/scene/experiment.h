@@ -51,6 +51,8 @@ enum class Focus { bounds, visible };
 enum class WarpRange { receivers, frustum };
 enum class SceneBody { box, hull, automatic };
 enum class EyeOverlay { none, texel_size, anisotropy, errors, penumbra };
+/// How two techniques share a view: a dividing line over one picture, or a picture each.
+enum class CompareLayout { split, side_by_side };
 enum class ViewId { world, cube, map, eye, body };
 inline constexpr std::array kAllViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye, ViewId::body};  // by value
 inline constexpr std::array kMainViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};  // shown unless asked otherwise
@@ -126,6 +128,9 @@ struct ViewSettings {
   EyeOverlay eye_overlay = EyeOverlay::none;  // what the eye view's colours mean
   bool texel_grid = false;                    // the map's texels on the receivers, in the eye, world and cube view
   std::optional<glm::dvec2> probe;            // the pixel of the image whose texel is shown in all views
+  std::optional<Technique> compare;           // a second technique, shown beside the first
+  CompareLayout compare_layout = CompareLayout::split;
+  double split = 0.5;  // where the dividing line stands, as a part of the picture's width
   bool operator==(const ViewSettings&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "scene/experiment_members.h"
+#include "scene/share_text.h"
 
 namespace psm {
 namespace {
@@ -88,8 +89,7 @@ Result<LoadedExperiment> resolve(const ExperimentMembers& file, const std::strin
                                          : prefixed(file_prefix + "scene.source", scene.error());
   loaded.scene = std::move(*scene);
 
-  if (loaded.scene.camera) experiment.camera = *loaded.scene.camera;
-  if (loaded.scene.light) experiment.light = *loaded.scene.light;
+  experiment = scene_experiment(experiment.scene.source, loaded.scene);
   if (auto error = check_experiment(experiment)) return prefixed("scene " + quotable(loaded.scene.id), *error);
   file.copy_to(experiment);
   if (auto error = check_experiment(experiment)) return InputError{file_prefix + error->text};
@@ -117,6 +117,15 @@ Result<LoadedExperiment> from_scene(const std::string& source, const std::vector
   return resolve(members, "", *given, fs::path("."));
 }
 
+/// Its scene's path is relative to the current folder.
+Result<LoadedExperiment> from_share_text(const std::string& text, const std::vector<std::string>& overrides) {
+  const auto members = members_from_share_text(text);
+  if (!members) return members.error();
+  auto given = read_overrides(overrides);
+  if (!given) return given.error();
+  return resolve(*members, "", *given, fs::path("."));
+}
+
 }  // namespace
 
 Result<LoadedExperiment> load_members(const ExperimentMembers& members, const std::string& place, const fs::path& base) {
@@ -133,12 +142,21 @@ Result<LoadedExperiment> parse_experiment(const std::string& json_text, const st
 }
 
 Result<LoadedExperiment> load_experiment(const std::string& source, const std::vector<std::string>& overrides) {
+  if (is_share_text(source)) return from_share_text(source, overrides);
   if (source.empty() || is_builtin(source) || is_gltf(source))
     return from_scene(source.empty() ? SceneSettings().source : source, overrides);
   const auto text = read_experiment_text(source);
   if (!text) return text.error();
   const fs::path folder = fs::path(source).parent_path();
   return parse_experiment(*text, source, folder.empty() ? fs::path(".") : folder, overrides);
+}
+
+Result<LoadedExperiment> experiment_from_text(const std::string& text) {
+  if (is_share_text(text)) return from_share_text(text, {});
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && text[first] == '{') return parse_experiment(text, "the pasted text", ".", {});
+  const std::string shown = text.size() == 0 ? "an empty text" : quotable(text);
+  return InputError{shown + ": is no experiment; allowed: psmlab:SCENE?PATH=VALUE&PATH=VALUE, or an experiment as JSON"};
 }
 
 std::optional<InputError> save_experiment(const LoadedExperiment& loaded, const fs::path& file) {

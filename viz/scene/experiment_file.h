@@ -21,13 +21,16 @@ struct LoadedExperiment {
 };
 
 /// Resolves, in this order: defaults, the scene's own camera and light, the file's members, the overrides
-/// ("light.to_light=0,1,0"). `source`: an experiment file, a .gltf or .glb, a built-in scene's id, or empty (the default
-/// experiment).
+/// ("light.to_light=0,1,0"). `source`: an experiment file, a .gltf or .glb, a built-in scene's id, a share text
+/// (scene/share_text.h), or empty (the default experiment).
 Result<LoadedExperiment> load_experiment(const std::string& source, const std::vector<std::string>& overrides);
 
 /// The same from JSON text; `name` stands for the file in messages, `base` is the folder of relative paths.
 Result<LoadedExperiment> parse_experiment(const std::string& json_text, const std::string& name,
                                           const std::filesystem::path& base, const std::vector<std::string>& overrides);
+
+/// What was pasted: a share text, or the JSON of an experiment.
+Result<LoadedExperiment> experiment_from_text(const std::string& text);
 
 /// One override on a complete experiment; null on success. Does not load a scene.
 std::optional<InputError> set_field(Experiment& experiment, const std::string& path_and_value);

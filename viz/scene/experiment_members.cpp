@@ -107,6 +107,14 @@ void copy_member(const Field& field, const Experiment& from, Experiment& to) {
 
 }  // namespace
 
+Experiment scene_experiment(const std::string& source, const Scene& scene) {
+  Experiment experiment;
+  experiment.scene.source = source;
+  if (scene.camera) experiment.camera = *scene.camera;
+  if (scene.light) experiment.light = *scene.light;
+  return experiment;
+}
+
 bool ExperimentMembers::has(const std::string& path) const {
   return std::any_of(set.begin(), set.end(), [&](const Field* field) { return field->path == path; });
 }

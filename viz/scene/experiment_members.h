@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Members of an experiment as they come in, from a file, from --set or from a lesson, before they go over a scene's own camera
-// and light.
+// Members of an experiment as they come in, from a file, a line of text, --set or a lesson, before they go over a scene's own
+// camera and light.
 #pragma once
 
 #include <string>
@@ -9,8 +9,12 @@
 #include "scene/experiment.h"
 #include "scene/experiment_file.h"
 #include "scene/result.h"
+#include "scene/scene.h"
 
 namespace psm {
+
+/// What a scene alone is: the defaults, with its own camera and light. Not checked.
+Experiment scene_experiment(const std::string& source, const Scene& scene);
 
 /// Some members and their values, each within its range. Members that are not in `set` mean nothing.
 struct ExperimentMembers {

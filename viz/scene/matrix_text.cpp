@@ -94,6 +94,9 @@ void set_depth_row(glm::dmat4& matrix, const glm::dvec4& row) {
 
 }  // namespace
 
+const char* name_of(MatrixLanguage language) { return kLanguages[std::size_t(language)]; }
+const char* name_of(ClipConvention convention) { return kConventions[std::size_t(convention)]; }
+
 std::optional<MatrixLanguage> matrix_language_from_name(const std::string& name) {
   return from_name<MatrixLanguage>(kLanguages, name);
 }

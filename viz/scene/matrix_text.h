@@ -23,6 +23,8 @@ enum class ClipConvention {
   reversed_z  // 1, 0
 };
 
+const char* name_of(MatrixLanguage language);
+const char* name_of(ClipConvention convention);
 std::optional<MatrixLanguage> matrix_language_from_name(const std::string& name);
 std::optional<ClipConvention> clip_convention_from_name(const std::string& name);
 

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdio>
 
@@ -85,14 +86,18 @@ std::vector<ImVec2> badge_corners(const std::vector<Badge>& badges, float width,
   return corners;
 }
 
-bool draw_badge(UiContext& ui, const Badge& badge, ImVec2 at) {
-  const float em = ImGui::GetFontSize(), height = line_height() - gap(), y = at.y + 0.5f * gap();
-  const ImVec2 end{at.x + badge_width(badge), y + height};
+/// `room`: for its box. A text that is wider goes on in the next line; there is one where the badge stands alone.
+bool draw_badge(UiContext& ui, const Badge& badge, ImVec2 at, ImVec2 room) {
+  const float em = ImGui::GetFontSize(), y = at.y + 0.5f * gap();
+  const bool wraps = badge_width(badge) > room.x;
+  const float height = wraps ? room.y - gap() : line_height() - gap();
+  const ImVec2 end{at.x + std::min(badge_width(badge), room.x), y + height};
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 0.3f * em);
-  draw_shape(badge.shape, {at.x + 0.9f * em, y + 0.5f * height}, 0.42f * em, color(badge.tone), text_color(0.85),
+  draw_shape(badge.shape, {at.x + 0.9f * em, y + 0.5f * (line_height() - gap())}, 0.42f * em, color(badge.tone), text_color(0.85),
              std::max(1.0f, em / 14.0f));
-  ImGui::GetWindowDrawList()->AddText({at.x + 0.5f * em + shape_width(badge), std::floor(y + 0.5f * (height - em))}, text_color(),
-                                      badge.text.c_str());
+  const ImVec2 text_at{at.x + 0.5f * em + shape_width(badge), std::floor(y + 0.5f * (line_height() - gap() - em))};
+  ImGui::GetWindowDrawList()->AddText(nullptr, 0.0f, text_at, text_color(), badge.text.c_str(), nullptr,
+                                      wraps ? end.x - 0.5f * em - text_at.x : 0.0f);
   ImGui::SetCursorScreenPos({at.x, y});
   const bool clicked = ImGui::InvisibleButton(badge.name.c_str(), {std::max(1.0f, end.x - at.x), height});
   note_place(ui, badge.name);
@@ -129,8 +134,11 @@ int badge_bar_height(int width) {
 std::string badge_bar(UiContext& ui, const std::vector<Badge>& badges, const Rect& bar) {
   const auto corners = badge_corners(badges, float(bar.size().x), float(bar.size().y) > 1.5f * line_height());
   std::string clicked;
+  const float width = badges.size() == 1 ? float(bar.size().x) - 2.0f * gap() : FLT_MAX;
   for (std::size_t i = 0; i < badges.size() && corners[i].y + line_height() <= float(bar.size().y) + 1.0f; ++i)
-    if (draw_badge(ui, badges[i], {float(bar.min.x) + corners[i].x, float(bar.min.y) + corners[i].y})) clicked = badges[i].name;
+    if (draw_badge(ui, badges[i], {float(bar.min.x) + corners[i].x, float(bar.min.y) + corners[i].y},
+                   {width, float(bar.size().y) - corners[i].y}))
+      clicked = badges[i].name;
   return clicked;
 }
 

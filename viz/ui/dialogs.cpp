@@ -189,6 +189,7 @@ void Dialogs::help_dialog(UiContext& ui) {
     help_row("Shift or middle drag", "move a view");
     help_row("wheel", "nearer and farther");
     help_row("drag a circle", "move the camera, the light or a target in the world view; with Shift along the vertical");
+    help_row("arrow keys", "move the selected handle (key N); with Shift along the vertical, with Ctrl finely; Esc lets it go");
     help_row("double click", "one view alone, and back; on a divider: back to the middle");
     help_row("Ctrl+click on a slider", "type the value; Alt while dragging: no snapping");
     ImGui::EndTable();
@@ -234,6 +235,11 @@ void Dialogs::settings_dialog(UiContext& ui, Settings& settings) {
       "Rays answer in the same frame. The card's depth (PSM 2002, section 6) is read back without waiting: it answers a "
       "frame or more later. The profile shows what each costs.");
   settings.points_from = PointsSource(source);
+  ImGui::Checkbox("the texel under the mouse shows in all views", &settings.hovering);
+  note_place(ui, "settings.hovering");
+  ImGui::Checkbox("reduced motion", &settings.reduced_motion);
+  note_place(ui, "settings.reduced_motion");
+  rest_tooltip("What is played, such as the camera shift, is at its end at once.");
   ImGui::Spacing();
   close_button(ui);
 }

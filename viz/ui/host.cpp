@@ -69,7 +69,7 @@ void Host::update_look(const LookKey& look, const std::filesystem::path& font) {
 void Host::frame(Workbench& workbench, InputQueue& input, glm::ivec2 size, double display_scale, double seconds_since_last) {
   size = glm::max(size, glm::ivec2(1));
   ImGui_ImplOpenGL3_NewFrame();
-  update_look(workbench.look(display_scale), workbench.font());
+  update_look(workbench.look(size, display_scale), workbench.font());
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {float(size.x), float(size.y)};
   io.DisplayFramebufferScale = {1.0f, 1.0f};

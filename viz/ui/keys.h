@@ -37,7 +37,18 @@ enum class Action {
   eye_overlay_next,
   toggle_texel_grid,
   pin_probe,
+  handle_next,
+  handle_previous,
+  compare,
+  compare_layout,
   copy_state,
+  copy_share_text,
+  copy_matrices,
+  paste,
+  present,
+  next_screen,
+  previous_screen,
+  black_screen,
   quit
 };
 

@@ -168,8 +168,7 @@ void Model::reset() {
   end_gesture();
 }
 
-std::optional<InputError> Model::open(const std::string& source) {
-  Result<LoadedExperiment> loaded = load_experiment(source, {});
+std::optional<InputError> Model::take_over(Result<LoadedExperiment> loaded) {
   if (!loaded) return loaded.error();
   end_gesture();
   const Experiment before = loaded_.experiment;

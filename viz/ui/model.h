@@ -43,9 +43,14 @@ class Model {
   bool undo();
   bool redo();
   void reset();  // to original(); can be undone
+  /// Goes to a valid experiment of the same scene; no step of the history.
+  void follow(const Experiment& experiment) { (void)go_to(experiment); }
 
-  /// An experiment file, a .gltf or .glb, or a built-in scene's id. On an error everything stays as it is. Can be undone.
-  std::optional<InputError> open(const std::string& source);
+  /// An experiment file, a .gltf or .glb, a built-in scene's id or a share text. On an error everything stays as it is. Can be
+  /// undone.
+  std::optional<InputError> open(const std::string& source) { return take_over(load_experiment(source, {})); }
+  /// The same with a share text or the JSON of an experiment.
+  std::optional<InputError> paste(const std::string& text) { return take_over(experiment_from_text(text)); }
   std::optional<InputError> save(const std::filesystem::path& file);
   /// More than the views differs from what was opened or last saved.
   bool unsaved() const;
@@ -68,6 +73,7 @@ class Model {
   double points_ms() const { return points_ms_; }
 
  private:
+  std::optional<InputError> take_over(Result<LoadedExperiment> loaded);
   std::optional<InputError> go_to(const Experiment& experiment);
   std::optional<InputError> load_scene_of(const Experiment& experiment);
   void analyze_now();

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/theme.h"
@@ -44,19 +45,62 @@ std::string exact_count(const ConvexBody& b) {
   return std::to_string(beyond) + " of " + std::to_string(beyond + b.decisions.filtered);
 }
 
-void draw_lines(const std::vector<NumberLine>& lines) {
-  if (!ImGui::BeginTable("numbers", 2, ImGuiTableFlags_RowBg)) return;
-  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.0f);
-  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1.0f);
-  for (const NumberLine& line : lines) {
+/// `second`: what stands in a column of its own; empty, or one for each line.
+void draw_lines(const std::vector<NumberLine>& lines, const std::vector<NumberLine>& second = {}) {
+  const bool both = !second.empty();
+  if (!ImGui::BeginTable(both ? "numbers of both" : "numbers", both ? 3 : 2, ImGuiTableFlags_RowBg)) return;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(line.name.c_str());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", line.help.c_str());
+    ImGui::TextUnformatted(lines[i].name.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", lines[i].help.c_str());
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(line.value.c_str());
+    ImGui::TextUnformatted(lines[i].value.c_str());
+    if (!both) continue;
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(second[i].value.c_str());
   }
   ImGui::EndTable();
+}
+
+/// Under a line with the names of both where there are two.
+void draw_numbers(const Analysis& first, const Analysis* second) {
+  if (!second) return draw_lines(number_lines(first));
+  std::vector<NumberLine> lines{{"", std::string("A: ") + display_name(first.technique_used), ""}};
+  std::vector<NumberLine> others{{"", std::string("B: ") + display_name(second->technique_used), ""}};
+  for (const NumberLine& line : number_lines(first)) lines.push_back(line);
+  for (const NumberLine& line : number_lines(*second)) others.push_back(line);
+  draw_lines(lines, others);
+}
+
+/// A menu of an enum's values; its places are "NAME" and "NAME=VALUE".
+template <class Enum, std::size_t N>
+void menu(UiContext& ui, const std::string& name, float width, const std::array<const char*, N>& labels, Enum& value) {
+  ImGui::SetNextItemWidth(width);
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), labels[std::size_t(value)]);
+  note_place(ui, name);
+  if (!open) return;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (ImGui::Selectable(labels[i], std::size_t(value) == i)) value = Enum(i);
+    note_place(ui, name + "=" + name_of(Enum(i)));
+  }
+  ImGui::EndCombo();
+}
+
+/// Which text the matrices are copied as, and the button that copies them.
+void matrix_row(UiContext& ui, Settings& settings, Requests& requests) {
+  constexpr std::array languages{"GLSL", "C++", "JSON"};                 // by MatrixLanguage
+  constexpr std::array conventions{"OpenGL", "Direct3D", "Reversed z"};  // by ClipConvention
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float button = ImGui::CalcTextSize("Copy matrices").x + 2.0f * style.FramePadding.x;
+  const float left = ImGui::GetContentRegionAvail().x - 2.0f * style.ItemSpacing.x - button;
+  if (ImGui::Button("Copy matrices")) requests.action = Action::copy_matrices;
+  note_place(ui, "matrices.copy");
+  rest_tooltip("The matrices of this experiment as text (key M), in the clip space of the program that they go to.");
+  ImGui::SameLine();
+  menu(ui, "matrices.language", std::floor(0.42f * left), languages, settings.matrix_language);
+  ImGui::SameLine();
+  menu(ui, "matrices.convention", std::floor(0.58f * left), conventions, settings.clip_convention);
 }
 
 void draw_notes(const UiContext& ui, const std::vector<Note>& notes) {
@@ -126,11 +170,13 @@ std::vector<Note> all_notes(const Scene& scene, const Analysis& analysis) {
   return notes;
 }
 
-void numbers_pane(UiContext& ui, const std::optional<Probe>& probe, bool show_notes) {
+void numbers_pane(UiContext& ui, const Analysis* second, const std::optional<Probe>& probe, Settings& settings,
+                  Requests& requests, bool show_notes) {
   const auto notes = all_notes(ui.model.scene(), ui.model.analysis());
   const bool numbers_open = ImGui::CollapsingHeader("numbers", ImGuiTreeNodeFlags_DefaultOpen);
   note_place(ui, "numbers");
-  if (numbers_open) draw_lines(number_lines(ui.model.analysis()));
+  if (numbers_open) draw_numbers(ui.model.analysis(), second);
+  if (numbers_open) matrix_row(ui, settings, requests);
   const bool texel_open = ImGui::CollapsingHeader("texel under the mouse", ImGuiTreeNodeFlags_DefaultOpen);
   note_place(ui, "texel");
   if (texel_open) draw_lines(probe_lines(probe));

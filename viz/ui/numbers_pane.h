@@ -8,6 +8,7 @@
 
 #include "draw/probe.h"
 #include "scene/analysis.h"
+#include "ui/control_pane.h"
 #include "ui/ui_context.h"
 
 namespace psm {
@@ -25,7 +26,9 @@ std::string note_text(const Note& note);
 /// Notes of the scene's file and of the analysis.
 std::vector<Note> all_notes(const Scene& scene, const Analysis& analysis);
 
-/// `show_notes`: scrolls to the notes.
-void numbers_pane(UiContext& ui, const std::optional<Probe>& probe, bool show_notes);
+/// `settings`: which language and convention matrices are copied in. `second`: of technique B, beside A's; or null. `show_notes`:
+/// scrolls to the notes.
+void numbers_pane(UiContext& ui, const Analysis* second, const std::optional<Probe>& probe, Settings& settings,
+                  Requests& requests, bool show_notes);
 
 }  // namespace psm

@@ -15,8 +15,22 @@
 namespace psm {
 
 /// In the order of a frame.
-enum class Stage { points, analysis, scene, map, truth, view_world, view_cube, view_map, view_eye, view_body, gain, interface };
-inline constexpr std::size_t kStages = 12;
+enum class Stage {
+  points,
+  analysis,
+  scene,
+  map,
+  truth,
+  view_world,
+  view_cube,
+  view_map,
+  view_eye,
+  view_body,
+  compare,
+  gain,
+  interface
+};
+inline constexpr std::size_t kStages = 13;
 
 const char* name_of(Stage stage);
 Stage stage_of(ViewId view);

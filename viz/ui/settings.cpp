@@ -36,6 +36,10 @@ void take(Settings& s, const std::string& name, const std::string& word) {
   if (name == "theme" && word == "light") s.theme = Theme::light;
   if (name == "visible_points" && word == "depth") s.points_from = PointsSource::depth;
   if (name == "visible_points" && word == "rays") s.points_from = PointsSource::rays;
+  if (name == "reduced_motion") s.reduced_motion = word != "0";
+  if (name == "hovering") s.hovering = word != "0";
+  if (name == "matrix_language") s.matrix_language = matrix_language_from_name(word).value_or(s.matrix_language);
+  if (name == "clip_convention") s.clip_convention = clip_convention_from_name(word).value_or(s.clip_convention);
   if (name == "pane") take_number(word, s.layout.pane);
   if (name == "column") take_number(word, s.layout.column);
   if (name == "row") take_number(word, s.layout.row);
@@ -80,8 +84,10 @@ bool write_settings(const Settings& s, const fs::path& file) {
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "scale_percent " << s.scale_percent << "\nfont_px " << s.font_px << "\ntheme "
       << (s.theme == Theme::dark ? "dark" : "light") << "\nvisible_points "
-      << (s.points_from == PointsSource::depth ? "depth" : "rays") << "\npane " << s.layout.pane << "\ncolumn " << s.layout.column
-      << "\nrow " << s.layout.row << "\npane_shown " << int(s.layout.pane_shown) << "\n";
+      << (s.points_from == PointsSource::depth ? "depth" : "rays") << "\nreduced_motion " << int(s.reduced_motion)
+      << "\nhovering " << int(s.hovering) << "\nmatrix_language " << name_of(s.matrix_language) << "\nclip_convention "
+      << name_of(s.clip_convention) << "\npane " << s.layout.pane << "\ncolumn " << s.layout.column << "\nrow " << s.layout.row
+      << "\npane_shown " << int(s.layout.pane_shown) << "\n";
   return !write_file_atomically(file, out.str());
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "gl/renderer.h"
+#include "scene/matrix_text.h"
 #include "ui/points_source.h"
 
 namespace psm {
@@ -23,6 +24,10 @@ struct Settings {
   int font_px = 18;         // body text at 100 %: 12 to 32
   Theme theme = Theme::light;
   PointsSource points_from = PointsSource::rays;
+  bool reduced_motion = false;  // what would move is there at once
+  bool hovering = true;         // the texel under the mouse shows in all views
+  MatrixLanguage matrix_language = MatrixLanguage::glsl;
+  ClipConvention clip_convention = ClipConvention::opengl;
   LayoutSettings layout;
   bool operator==(const Settings&) const = default;
 };

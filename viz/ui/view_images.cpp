@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view_images.h"
 
+#include "ui/comparison.h"
 #include "ui/navigation.h"
 
 namespace psm {
@@ -12,7 +13,7 @@ ViewSettings relevant(ViewId id, const ViewSettings& view) {
   if (id == ViewId::world) out.world = view.world;
   if (id == ViewId::cube) out.cube = view.cube;
   if (id == ViewId::map) out.map_center = view.map_center, out.map_zoom = view.map_zoom;
-  if (id == ViewId::eye) out.eye_overlay = view.eye_overlay;
+  if (id == ViewId::eye) out.eye_overlay = view.eye_overlay, out.compare = view.compare, out.compare_layout = view.compare_layout;
   if (id == ViewId::body) out.body = view.body;
   if (id == ViewId::world || id == ViewId::cube || id == ViewId::eye) out.texel_grid = view.texel_grid;
   return out;
@@ -101,6 +102,7 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
       view.picture = describe_view(id, analysis_, model.scene(), size);
       if (has_rays) show_overlay(view.picture, *traced_);
       if (wants_rays && !has_rays) announce_overlay(view.picture);
+      drop_divided_numbers(view.picture, shown);
       view.texture = renderer_.draw_view(view.picture, analysis_, size, scale, theme);
     });
     view.key = key;

@@ -57,12 +57,13 @@ glm::dvec2 map_point(const ViewImages& images, const Rect& picture, glm::dvec2 p
 void begin_drag(ViewId id, const Rect& picture, const ViewImages& images, const Mouse& mouse, double scale, ViewDrag& drag,
                 const Experiment& experiment) {
   const bool middle = ImGui::IsMouseDown(ImGuiMouseButton_Middle);
-  drag = {middle || mouse.shift || id == ViewId::map ? ViewDrag::Kind::pan : ViewDrag::Kind::turn, std::nullopt};
+  drag = {middle || mouse.shift || id == ViewId::map ? ViewDrag::Kind::pan : ViewDrag::Kind::turn, std::nullopt, std::nullopt};
   if (id != ViewId::world || middle) return;
   const auto near =
       picked_handle(handles(images.picture(id), images.analysis().experiment, picture.size()), mouse.pixel, handle_reach * scale);
   if (!near) return;
-  drag = {ViewDrag::Kind::handle, HandleDrag{*near, experiment, camera_now(id, images, picture), picture.size(), mouse.pixel}};
+  drag = {ViewDrag::Kind::handle, HandleDrag{*near, experiment, camera_now(id, images, picture), picture.size(), mouse.pixel},
+          std::nullopt};
 }
 
 void drag_orbit(ViewId id, const Rect& picture, const ViewImages& images, const Mouse& mouse, ViewDrag::Kind kind,
@@ -123,9 +124,10 @@ void write_on_plate(ImVec2 at, const char* text) {
 void draw_handles(const UiContext& ui, const Rect& picture, const ViewImages& images, const ViewDrag& drag) {
   const auto all = handles(images.picture(ViewId::world), images.analysis().experiment, picture.size());
   std::optional<Handle> hot;
-  if (drag.kind == ViewDrag::Kind::handle) {
+  const bool dragging = drag.kind == ViewDrag::Kind::handle;
+  if (dragging || drag.selected) {
     for (const Handle& handle : all)
-      if (handle.kind == drag.handle->handle.kind) hot = handle;
+      if (handle.kind == (dragging ? drag.handle->handle.kind : *drag.selected)) hot = handle;
   } else {
     hot = picked_handle(all, mouse_in(picture).pixel, handle_reach * ui.scale);
   }

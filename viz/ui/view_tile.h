@@ -11,11 +11,12 @@
 
 namespace psm {
 
-/// The drag that is under way in a view.
+/// The drag that is under way in a view, and what keys would move.
 struct ViewDrag {
   enum class Kind { none, turn, pan, handle };
   Kind kind = Kind::none;
   std::optional<HandleDrag> handle;
+  std::optional<HandleKind> selected;  // by keyboard
 };
 
 /// Takes the mouse in this rectangle, with the pictures of the last frame: edits `experiment`. Returns the history tag of a

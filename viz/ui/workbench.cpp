@@ -48,6 +48,7 @@ struct Workbench::Frame {
   glm::ivec2 size;
   double scale, now;
   Layout layout;
+  ViewRects second;  // B's pictures
   UiContext ui;
   Experiment edited;
   std::string tag;
@@ -70,12 +71,14 @@ Workbench::Workbench(LoadedExperiment loaded, WorkbenchOptions options)
       model_(std::move(loaded)),
       renderer_(options_.assets, options_.font),
       images_(renderer_),
+      comparison_(options_.assets, options_.font),
       experiments_(shipped_experiments(options_.assets)) {}
 
 Workbench::~Workbench() = default;
 
-LookKey Workbench::look(double display_scale) const {
-  const double scale = std::clamp(display_scale, 0.25, 8.0) * settings_.scale_percent / 100.0;
+LookKey Workbench::look(glm::ivec2 size, double display_scale) const {
+  double scale = std::clamp(display_scale, 0.25, 8.0) * settings_.scale_percent / 100.0;
+  if (presenting_) scale = presenting_scale(size, scale);
   return {std::max(6, int(std::lround(settings_.font_px * scale))), scale, settings_.theme};
 }
 
@@ -91,12 +94,21 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   model_.set_points_source(settings_.points_from);
   readback_.take(model_, renderer_, profile_);
 
+  // The arrow keys are a clicker's while presenting, or move the selected handle.
+  ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
+  flags =
+      presenting_ || drag_.selected ? flags & ~ImGuiConfigFlags_NavEnableKeyboard : flags | ImGuiConfigFlags_NavEnableKeyboard;
+
   places_.clear();
-  const double scale = look(display_scale).scale;
+  const double scale = look(size, display_scale).scale;
   const int splitter = std::max(2, int(std::lround(6.0 * scale)));
-  const Layout layout = lay_out(size, settings_.layout, model_.experiment().view, badge_bar_height(size.x), splitter);
-  Frame f{size, scale, ImGui::GetTime(), layout, {model_, settings_.theme, scale, places_, experiments_}, model_.experiment(),
-          "",   false};
+  LayoutSettings places = settings_.layout;
+  places.pane_shown = places.pane_shown && !presenting_;
+  Layout layout = lay_out(size, places, model_.experiment().view, badge_bar_height(size.x), splitter);
+  const auto second = place_second(layout, model_.experiment().view, splitter);
+  Frame f{
+      size, scale, ImGui::GetTime(), layout, second, {model_, settings_.theme, scale, places_, experiments_}, model_.experiment(),
+      "",   false};
 
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(vec(size));
@@ -108,7 +120,8 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar(3);
   move_camera_shift(f);
-  splitters(f);
+  if (!presenting_) splitters(f);
+  move_selected_handle(f.layout.view(ViewId::world), f.scale, f.edited, f.tag);
   tiles(f);
   pane_fields(f);
   commit(f);
@@ -119,6 +132,7 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   badge_line(f);
   ImGui::End();
   dialogs(f);
+  draw_black(size);
   end_frame(f);
 }
 
@@ -148,7 +162,7 @@ void Workbench::move_camera_shift(Frame& f) {
   if (!shift_play_) return;
   if (f.edited.shadow.camera_shift != shift_play_->last) return shift_play_.reset();
   constexpr double seconds = 0.6;
-  const double t = std::clamp((f.now - shift_play_->start) / seconds, 0.0, 1.0);
+  const double t = settings_.reduced_motion ? 1.0 : std::clamp((f.now - shift_play_->start) / seconds, 0.0, 1.0);
   const double eased = t < 1.0 ? t * t * (3.0 - 2.0 * t) : 1.0;
   f.edited.shadow.camera_shift = shift_play_->last = eased * shift_play_->end_shift;
   f.tag = "play camera shift";
@@ -158,6 +172,7 @@ void Workbench::move_camera_shift(Frame& f) {
 
 void Workbench::tiles(Frame& f) {
   pointed_.reset();
+  if (const std::string tag = second_input(f.ui, f.second, comparison_.images(), drag_, f.edited); !tag.empty()) f.tag = tag;
   for (ViewId id : kAllViews) {
     const Rect rect = f.layout.view(id);
     const std::string tag = tile_input(f.ui, id, rect, images_, drag_, f.edited);
@@ -165,13 +180,14 @@ void Workbench::tiles(Frame& f) {
     if (rect.empty() || !ImGui::IsItemHovered() || ImGui::IsAnyMouseDown()) continue;
     pointed_ = PointedAt{id, glm::dvec2(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y) - glm::dvec2(rect.min)};
   }
-  for (ViewId id : kAllViews) tile_menu(f.ui, id, f.layout.view(id), images_.picture(id).title, f.edited.view);
-  if (!f.layout.view(ViewId::eye).empty()) eye_tools(f.ui, f.layout.view(ViewId::eye), f.edited);
+  for (ViewId id : kAllViews)
+    if (!presenting_) tile_menu(f.ui, id, f.layout.view(id), images_.picture(id).title, f.edited.view);
+  if (!presenting_ && !f.layout.view(ViewId::eye).empty()) eye_tools(f.ui, f.layout.view(ViewId::eye), f.edited);
 }
 
 void Workbench::find_probe() {
   probe_.reset();
-  if (pointed_) probe_ = probe_under(*pointed_, model_, images_);
+  if (pointed_ && settings_.hovering) probe_ = probe_under(*pointed_, model_, images_);
   if (!probe_) probe_ = probe_of(model_);
 }
 
@@ -205,14 +221,16 @@ void Workbench::pane_numbers(Frame& f) {
   profile_.watch(false);
   if (f.layout.pane.empty()) return;
   begin_child("fields", fields_rect(f.layout.pane));
-  numbers_pane(f.ui, probe_, std::exchange(show_notes_, false));
+  numbers_pane(f.ui, comparison_.analysis(), probe_, settings_, requests_, std::exchange(show_notes_, false));
   profile_panel_.draw(f.ui, profile_, readback_, std::exchange(show_profile_, std::nullopt));
   ImGui::EndChild();
 }
 
 void Workbench::badge_line(Frame& f) {
   begin_child("badges", f.layout.badges, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  const std::string clicked = badge_bar(f.ui, badges(model_, views_ms_, message_, settings_.theme), f.layout.badges);
+  std::vector<Badge> shown = badges(model_, views_ms_, message_, settings_.theme);
+  if (presenting_) shown.resize(1);  // the light case
+  const std::string clicked = badge_bar(f.ui, shown, f.layout.badges);
   ImGui::EndChild();
   if (clicked != "badge.notes" && clicked != "badge.worse") return;
   show_notes_ = settings_.layout.pane_shown = true;
@@ -244,16 +262,35 @@ void Workbench::draw_views(Frame& f) {
   const bool resting = !f.changed && !shift_play_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
   if (resting && sizes[std::size_t(ViewId::eye)].x > 0) images_.trace_overlay(model_, profile_);
   // A fit that a hidden view never had is found when the view shows.
-  const int drawn = images_.update(model_, fitted_.shown(model_, sizes), sizes, f.scale, settings_.theme, profile_);
+  const ViewSettings shown = fitted_.shown(model_, sizes);
+  int drawn = images_.update(model_, shown, sizes, f.scale, settings_.theme, profile_);
+  drawn += update_comparison(f, shown, resting);
   if (images_.has_scene_of(model_)) readback_.ask(model_, renderer_, profile_);
   report_model();
   views_drawn_ += std::uint64_t(drawn);
   if (drawn > 0) views_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   for (ViewId id : kAllViews)
     if (sizes[std::size_t(id)].x > 0) draw_tile(f.ui, id, f.layout.view(id), images_, drag_);
+  draw_seconds(f.ui, f.layout, f.second, images_, comparison_.images(), drag_);
   find_probe();
-  for (ViewId id : kAllViews)
-    if (probe_ && sizes[std::size_t(id)].x > 0) draw_probe(f.ui, *probe_, id, f.layout.view(id), images_);
+  for (ViewId id : kAllViews) {
+    if (!probe_ || sizes[std::size_t(id)].x == 0) continue;
+    const Rect first = first_part(id, f.layout.view(id), model_.experiment().view);
+    ImGui::PushClipRect(vec(first.min), vec(first.max), true);
+    draw_probe(f.ui, *probe_, id, f.layout.view(id), images_);
+    ImGui::PopClipRect();
+  }
+}
+
+int Workbench::update_comparison(const Frame& f, const ViewSettings& shown, bool resting) {
+  const auto start = std::chrono::steady_clock::now();
+  const int drawn = comparison_.update(model_, shown, f.second, f.scale, settings_.theme, resting);
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  if (drawn > 0)
+    profile_.ran(Stage::compare, time.count());
+  else if (!shown.compare)
+    profile_.skipped(Stage::compare, "nothing is compared");
+  return drawn;
 }
 
 void Workbench::report_model() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gl/renderer.h"
+#include "ui/comparison.h"
 #include "ui/control_pane.h"
 #include "ui/depth_readback.h"
 #include "ui/dialogs.h"
@@ -38,6 +39,10 @@ struct ShiftPlay {
   CameraShift last;         // what it set last: anything else means that the user has taken over
 };
 
+/// How much larger everything is in front of a class, in a window of this size: capitals of a 48th of its height, so that the
+/// last row reads them. `scale`: without a class.
+double presenting_scale(glm::ivec2 window, double scale);
+
 /// Needs a current OpenGL context and a current ImGui context.
 class Workbench {
  public:
@@ -48,8 +53,12 @@ class Workbench {
   /// analyze → draw, all in this frame. `presses`: the keys that went down. `display_scale`: pixels per pixel of a plain display.
   void frame(glm::ivec2 size, double display_scale, const std::vector<KeyPress>& presses);
 
-  /// Fonts and style that the next frame needs.
-  LookKey look(double display_scale) const;
+  /// Fonts and style that the next frame needs, in a window of this size.
+  LookKey look(glm::ivec2 size, double display_scale) const;
+
+  /// In front of a class: large type, no controls. The window that shows it fills the screen meanwhile.
+  void present(bool on);
+  bool presenting() const { return presenting_; }
 
   /// Something happened: the next three frames are drawn (ImGui settles late).
   void wake() { frames_left_ = 3; }
@@ -77,7 +86,9 @@ class Workbench {
   const std::filesystem::path& font() const { return options_.font; }
   const Places& places() const { return places_; }
   Renderer& renderer() { return renderer_; }
+  std::optional<HandleKind> selected_handle() const { return drag_.selected; }
   const ViewImages& images() const { return images_; }
+  const Comparison& comparison() const { return comparison_; }
   const std::optional<Probe>& probe() const { return probe_; }
   const Profile& profile() const { return profile_; }
   Dialogs::Kind dialog() const { return dialogs_.shown(); }
@@ -90,9 +101,14 @@ class Workbench {
  private:
   struct Frame;  // what one frame passes around
   void take_keys(const std::vector<KeyPress>& presses);
+  bool take_presenting_key(const KeyPress& press);
+  void step_screen(int step);
+  void draw_black(glm::ivec2 size) const;
   void splitters(Frame& f);
   void tiles(Frame& f);
   void pane_fields(Frame& f);
+  void paste();
+  void show_opened(const std::string& message);
   void play_camera_shift();
   void move_camera_shift(Frame& f);
   void keep_light_in_place(Experiment& edited) const;
@@ -104,6 +120,7 @@ class Workbench {
   void save(const std::string& file);
   void commit(Frame& f);
   void draw_views(Frame& f);
+  int update_comparison(const Frame& f, const ViewSettings& shown, bool resting);
   void end_frame(Frame& f);
   void report_model();
   void ask_for_picture();
@@ -112,7 +129,11 @@ class Workbench {
   void change_eye_overlay();
   void toggle_texel_grid();
   void pin_probe();
+  void toggle_comparison();
+  void change_compare_layout();
   void find_probe();
+  void select_handle(int step);
+  void move_selected_handle(const Rect& world, double scale, Experiment& edited, std::string& tag);
   void maximise(std::optional<ViewId> view);
   void fit_views();
   void commit_now(const Experiment& edited);
@@ -122,6 +143,7 @@ class Workbench {
   Model model_;
   Renderer renderer_;
   ViewImages images_;
+  Comparison comparison_;
   std::vector<std::filesystem::path> experiments_;
   Profile profile_;
   ProfilePanel profile_panel_;
@@ -130,6 +152,7 @@ class Workbench {
   std::optional<bool> show_profile_;  // in the next frame
   FittedOrbits fitted_;
   ViewDrag drag_;
+  bool world_shown_ = true;           // in the last frame
   std::optional<PointedAt> pointed_;  // where the mouse is, unless it is busy
   std::optional<Probe> probe_;        // there, or where the experiment has one
   LightControls light_;
@@ -145,6 +168,7 @@ class Workbench {
   double next_wake_ = std::numeric_limits<double>::infinity();
   double views_ms_ = 0.0;
   std::uint64_t frames_ = 0, views_drawn_ = 0;
+  bool presenting_ = false, black_ = false;
   bool wants_screen_ = false, wants_quit_ = false, quits_after_save_ = false, show_notes_ = false;
 };
 

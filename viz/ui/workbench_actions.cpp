@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/matrix_text.h"
+#include "scene/share_text.h"
 #include "ui/workbench.h"
 
 namespace psm {
@@ -43,13 +45,32 @@ void Workbench::take_keys(const std::vector<KeyPress>& presses) {
     // Escape in a text field or a menu belongs to it.
     if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
       continue;
-    if (const auto action = action_of(press)) act(*action);
+    if (drag_.selected && press.key == key::escape) {
+      drag_.selected.reset();
+      continue;
+    }
+    if (take_presenting_key(press)) continue;
+    const bool moves_handle = drag_.selected && (press.key == key::left || press.key == key::right);
+    if (const auto action = moves_handle ? std::nullopt : action_of(press)) act(*action);
   }
 }
 
 void Workbench::act(Action action) {
   wake();
   switch (action) {
+    case Action::handle_next:
+      return select_handle(+1);
+    case Action::handle_previous:
+      return select_handle(-1);
+    case Action::present:
+      return present(!presenting_);
+    case Action::next_screen:
+      return step_screen(+1);
+    case Action::previous_screen:
+      return step_screen(-1);
+    case Action::black_screen:
+      black_ = presenting_;
+      return;
     case Action::help:
       return dialogs_.show(Dialogs::Kind::help);
     case Action::settings:
@@ -99,14 +120,29 @@ void Workbench::act(Action action) {
       return toggle_texel_grid();
     case Action::pin_probe:
       return pin_probe();
+    case Action::compare:
+      return toggle_comparison();
+    case Action::compare_layout:
+      return change_compare_layout();
     case Action::save_picture:
       return ask_for_picture();
     case Action::quit:
       return ask_to_quit();
     case Action::copy_state:
       ImGui::SetClipboardText(experiment_to_json(model_.experiment()).c_str());
-      message_ = "experiment copied as text";
+      message_ = "experiment copied as JSON";
       return;
+    case Action::copy_share_text:
+      ImGui::SetClipboardText(share_text(model_.experiment(), model_.scene()).c_str());
+      message_ = "experiment copied as one line";
+      return;
+    case Action::copy_matrices:
+      ImGui::SetClipboardText(matrices_text(model_.analysis(), settings_.matrix_language, settings_.clip_convention).c_str());
+      message_ =
+          std::string("matrices copied as ") + name_of(settings_.matrix_language) + ", " + name_of(settings_.clip_convention);
+      return;
+    case Action::paste:
+      return paste();
     default:
       return maximise(view_of(action));
   }
@@ -183,6 +219,24 @@ void Workbench::pin_probe() {
   commit_now(edited);
 }
 
+// The uniform map is what every technique has to beat; beside it, GMNPR stands for the others.
+void Workbench::toggle_comparison() {
+  Experiment edited = model_.experiment();
+  const bool uniform = edited.shadow.technique == Technique::uniform;
+  edited.view.compare =
+      edited.view.compare ? std::nullopt : std::optional<Technique>(uniform ? Technique::gmnpr : Technique::uniform);
+  commit_now(edited);
+}
+
+void Workbench::change_compare_layout() {
+  Experiment edited = model_.experiment();
+  const bool split = edited.view.compare_layout == CompareLayout::split;
+  edited.view.compare_layout = split ? CompareLayout::side_by_side : CompareLayout::split;
+  commit_now(edited);
+  if (!edited.view.compare)
+    message_ = std::string("A and B will be ") + (split ? "side by side" : "split by a line") + " (key B)";
+}
+
 void Workbench::play_camera_shift() {
   Experiment ruled = model_.experiment();
   if (!shifts_camera(ruled.shadow.technique)) {
@@ -206,9 +260,19 @@ void Workbench::open(const std::string& source) {
   const bool typed = std::exchange(typed_path_, "") == source;
   if (const auto error = model_.open(source))
     return dialogs_.show_error(error->text, typed ? Dialogs::Kind::open : Dialogs::Kind::none, source);
+  show_opened("opened " + source);
+}
+
+void Workbench::paste() {
+  const char* text = ImGui::GetClipboardText();
+  if (const auto error = model_.paste(text ? text : "")) return dialogs_.show(Dialogs::Kind::error, error->text);
+  show_opened("opened what was copied");
+}
+
+void Workbench::show_opened(const std::string& message) {
   drag_ = {};
   fitted_.fit_again();
-  message_ = "opened " + source;
+  message_ = message;
 }
 
 std::string Workbench::window_title() const { return "psmlab: " + scene_stem(model_.experiment()); }

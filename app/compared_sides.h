@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two techniques in one view of a sheet, A and B: which part of the picture is whose, and the marks that say so.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/caption.h"
+#include "app/sheet.h"
+#include "figure/font.h"
+
+namespace psm {
+
+/// A plate over a panel, with a line of text; without a text, the line that divides the panel.
+struct SidePlate {
+  glm::ivec2 top_left{0}, size{0};  // the width of one with a text is the text's
+  std::string text;
+};
+
+/// The columns of the panel's picture that are its side's: from, to before.
+glm::ivec2 shown_columns(const SheetPanel& panel);
+
+/// None where the panel shows one technique alone.
+std::vector<SidePlate> side_plates(const SheetPanel& panel, const Analysis& analysis, double scale);
+
+void draw_plate(const SidePlate& plate, const Caption& caption, const Sheet& sheet, Image& whole);
+PagePanel plate_panel(const SidePlate& plate, const Font& font, const Sheet& sheet);
+
+/// Adds the views as panels, each in a tile of this size: those that both techniques share twice, all of B's before A's, because
+/// a painter keeps what the last panel needed.
+void add_compared_panels(Sheet& sheet, const std::shared_ptr<const LoadedExperiment>& loaded, const std::vector<ViewId>& views,
+                         const std::vector<glm::ivec2>& origins, const glm::ivec2& tile);
+
+}  // namespace psm

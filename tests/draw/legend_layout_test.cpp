@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "draw/legend_layout.h"
+
+#include <gtest/gtest.h>
+
+namespace psm {
+namespace {
+
+Legend heat_map() {
+  Legend legend;
+  legend.title = "m: largest extent of a texel, in pixels";
+  for (const char* text : {"< 0.5", "0.5 to 1", "1 to 2", "2 to 4", "4 to 8", "> 8"})
+    legend.entries.push_back({glm::vec3(0.5f), text, text[0] == '>'});
+  legend.lines = {"median 1.3, 95 %: 4.2, largest 11", "62 % of the receivers are undersampled"};
+  return legend;
+}
+
+glm::dvec2 text_size(const std::string& text) { return {9.0 * double(text.size()), 18.0}; }
+
+TEST(LegendLayout, TakesAtMostAQuarterOfAnyView) {
+  for (int width = 20; width <= 1600; width += 20) {
+    for (const double shape : {0.5, 0.75, 1.0}) {
+      std::vector<TextBox> texts;
+      std::vector<Plate> plates;
+      std::vector<Mark> marks;
+      const PictureFrame frame{{width, shape * width}, 1.0, Theme::light};
+      const Occupied taken = lay_out_legend(heat_map(), frame, text_size, texts, plates, marks);
+      EXPECT_LE(taken.size.x * taken.size.y, 0.25 * frame.size.x * frame.size.y) << width << " x " << shape * width;
+      EXPECT_EQ(texts.empty(), plates.empty());
+    }
+  }
+}
+
+TEST(LegendLayout, NumbersGoFirstThenTheHeadingAndColorsLast) {
+  const auto texts_at = [](int width) {
+    std::vector<TextBox> texts;
+    std::vector<Plate> plates;
+    std::vector<Mark> marks;
+    lay_out_legend(heat_map(), {{width, 0.6 * width}, 1.0, Theme::light}, text_size, texts, plates, marks);
+    return texts.size();
+  };
+  const std::size_t entries = heat_map().entries.size();
+  bool colors_alone = false;
+  for (int width = 100; width <= 1600; width += 10) {
+    const std::size_t count = texts_at(width);
+    EXPECT_TRUE(count == 0 || count >= entries) << width;
+    colors_alone = colors_alone || count == entries;
+  }
+  EXPECT_TRUE(colors_alone);
+  EXPECT_GE(texts_at(1600), entries + 3) << "a large view has room for everything";
+}
+
+}  // namespace
+}  // namespace psm
