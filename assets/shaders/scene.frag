@@ -53,16 +53,28 @@ uniform int u_kernel;                          // texels across; 0: the hardware
 
 vec3 row_of(mat4 m, int i) { return vec3(m[0][i], m[1][i], m[2][i]); }
 
-// The point's shift before it is looked up: towards the light by texels as large as they are across it, and along the normal by
-// texels as far as they reach along it. Which way texels lie is the Jacobian's pseudo-inverse: from map to space, across the light.
-vec3 lookup_shift(mat4 map, vec4 q, vec3 normal) {
+// A texel's size in space, across the light: the columns of the Jacobian's pseudo-inverse.
+float texel_size(mat4 map, vec4 q) {
   vec3 du = (row_of(map, 0) - q.x / q.w * row_of(map, 3)) / q.w, dv = (row_of(map, 1) - q.y / q.w * row_of(map, 3)) / q.w;
   vec3 ray = cross(du, dv);
-  float texel = 2.0 / float(textureSize(u_map, 0).x) / max(dot(ray, ray), 1e-30);
-  vec3 along_u = texel * cross(dv, ray), along_v = texel * cross(ray, du);
-  float across = max(length(along_u), length(along_v)), reach = abs(dot(normal, along_u)) + abs(dot(normal, along_v));
+  return 2.0 / float(textureSize(u_map, 0).x) * max(length(cross(dv, ray)), length(cross(ray, du))) / max(dot(ray, ray), 1e-30);
+}
+
+// The height over the surface's plane at which a point is nearer to the light by what the plane's depth changes over these texels.
+// Over the plane, depth grows with the height h as h / (1 + h g), g being how w grows along the normal.
+float height_of(float texels, mat4 map, vec4 q, vec3 normal, vec2 slope) {
+  vec4 up = map * vec4(normal, 0.0);
+  vec3 rate = (up.xyz - q.xyz / q.w * up.w) / q.w;
+  float rise = abs(rate.z - dot(slope, rate.xy)), change = 2.0 / float(textureSize(u_map, 0).x) * (abs(slope.x) + abs(slope.y));
+  float height = texels * change / max(rise, 1e-30);
+  return height / max(1.0 - height * up.w / q.w, 0.1);
+}
+
+// Where the point is looked up: shifted towards the light, and along the normal.
+vec3 lookup_place(mat4 map, vec4 q, vec3 normal, vec2 slope) {
   vec3 to_light = u_light.xyz - u_light.w * v_position;
-  return u_constant_bias * across * to_light / max(length(to_light), 1e-20) + u_normal_bias * reach * normal;
+  to_light /= max(length(to_light), 1e-20);
+  return v_position + u_constant_bias * texel_size(map, q) * to_light + height_of(u_normal_bias, map, q, normal, slope) * normal;
 }
 
 // Each comparison is with the depth of the surface's own plane at that texel's centre.
@@ -89,7 +101,7 @@ float compare(vec3 at, vec2 slope, float layer) {
 
 float lit_by(mat4 map, vec4 q, float layer, vec3 normal) {
   vec2 slope = depth_slope(map, q);
-  vec4 shifted = map * vec4(v_position + lookup_shift(map, q, normal), 1.0);
+  vec4 shifted = map * vec4(lookup_place(map, q, normal, slope), 1.0);
   if (shifted.w <= 0.0) return 1.0;  // shifted past the light
   vec3 at = 0.5 * shifted.xyz / shifted.w + 0.5;
   return compare(at, at.z <= 1.0 ? slope : vec2(0.0), layer);

@@ -62,6 +62,27 @@ TEST(Measure, PrintsARowForEachRunWithErrorsAndTimes) {
   }
 }
 
+TEST(Measure, RowsNameBiasCullingFilterAndTheLightsExtent) {
+  const auto row = [](const std::vector<std::string>& more) {
+    const Outcome run = run_program(small_measure(more));
+    EXPECT_EQ(run.code, 0) << run.err;
+    return nlohmann::json::parse(run.out)["rows"][0];
+  };
+  const auto plain = row({}), soft = row({"--set", "shadow.filter=pcf", "--set", "shadow.filter_size=7", "--set",
+                                          "shadow.normal_bias=0.5", "--set", "shadow.cull=front", "--set", "light.radius=0.05"});
+  EXPECT_EQ(plain["filter"], "none");
+  EXPECT_TRUE(plain["filter_size"].is_null());
+  EXPECT_EQ(plain["depth_bias"], 1.5);
+  EXPECT_EQ(plain["slope_bias"], 1.0);
+  EXPECT_NEAR(plain["lit_difference"].get<double>(), plain["error_fraction"].get<double>(), 1e-12) << "both are 0 or 1 here";
+  EXPECT_EQ(soft["filter"], "pcf");
+  EXPECT_EQ(soft["filter_size"], 7);
+  EXPECT_EQ(soft["normal_bias"], 0.5);
+  EXPECT_EQ(soft["cull"], "front");
+  EXPECT_EQ(soft["light_radius"], 0.05);
+  EXPECT_NE(soft["lit_difference"], soft["error_fraction"]);
+}
+
 /// The columns that do not depend on the machine.
 std::vector<std::vector<std::string>> errors_of(const std::string& csv) {
   std::vector<std::vector<std::string>> lines;

@@ -2,6 +2,7 @@
 // The heat map and the grid as drawn, against the texels as the processor computes them; and the error view against its counts.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "draw/texel_overlay.h"
 #include "gl/error_view.h"
@@ -152,6 +153,25 @@ TEST_P(TexelView, error_view_colours_each_wrong_pixel_and_counts_it) {
   for (std::size_t i = 0; i < shown.rgba.size(); i += 4)
     same += view.image.rgba[i + 3] == 0 || std::equal(&shown.rgba[i], &shown.rgba[i] + 3, &view.image.rgba[i]);
   EXPECT_GT(same, shown.rgba.size() / 4 * 97 / 100) << "the light's mark may cover some";
+}
+
+TEST_P(TexelView, penumbra_view_has_a_colour_for_umbra_penumbra_and_light) {
+  experiment_.view.eye_overlay = EyeOverlay::penumbra;
+  const auto colors = [&](double radius) {
+    experiment_.light.radius = radius;
+    const TracedOverlay overlay = trace_overlay(*renderer_, tracer_, analyze(experiment_, scene_), kAllPixels);
+    EXPECT_EQ(glm::ivec2(overlay.image.width, overlay.image.height), kSize);
+    EXPECT_EQ(overlay.legend.entries.size(), 6u);
+    EXPECT_EQ(overlay.legend.lines.empty(), radius > 0.0);
+    std::set<std::uint32_t> found;
+    for (std::size_t i = 0; i < overlay.image.rgba.size(); i += 4) {
+      const std::uint8_t* p = &overlay.image.rgba[i];
+      if (p[3] != 0) found.insert(std::uint32_t(p[0] << 16 | p[1] << 8 | p[2]));
+    }
+    return found.size();
+  };
+  EXPECT_LE(colors(0.0), 3u);
+  EXPECT_GE(colors(0.1), 10u);
 }
 
 TEST_P(TexelView, legend_stays_on_the_picture) {

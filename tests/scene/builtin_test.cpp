@@ -105,6 +105,16 @@ TEST_P(BuiltinScene, NormalsAgreeWithTheWinding) {
     }
 }
 
+TEST_P(BuiltinScene, WhatIsNotFlatIsClosedAndOutward) {
+  for (const Mesh& mesh : scene_of(GetParam()).meshes) {
+    Bounds bounds;
+    for (const glm::dvec3& p : mesh.positions) bounds.add(p);
+    if (bounds.max.y == bounds.min.y) continue;
+    expect_closed(mesh);
+    for (double volume : part_volumes(mesh)) EXPECT_GT(volume, 0) << mesh.name;
+  }
+}
+
 TEST_P(BuiltinScene, BringsACameraAndALight) {
   const Scene scene = scene_of(GetParam());
   ASSERT_TRUE(scene.camera && scene.light);
@@ -137,14 +147,6 @@ TEST(Chessboard, HasAllPiecesOfAGame) {
     for (const auto& [name, n] :
          std::map<std::string, int>{{"pawn", 8}, {"rook", 2}, {"knight", 2}, {"bishop", 2}, {"queen", 1}, {"king", 1}})
       EXPECT_EQ(count[side + name], n) << side << name;
-}
-
-TEST(Chessboard, PiecesAndFrameAreClosedAndOutward) {
-  for (const Mesh& mesh : scene_of("chessboard").meshes) {
-    if (!is_piece(mesh) && mesh.name != "frame") continue;
-    expect_closed(mesh);
-    for (double volume : part_volumes(mesh)) EXPECT_GT(volume, 0) << mesh.name;
-  }
 }
 
 TEST(Chessboard, EveryPieceStandsInsideItsSquare) {
@@ -273,6 +275,39 @@ TEST(Ground, ThePlaneIsWholeAndTheBoxHasHeight) {
   EXPECT_NEAR(area, size.x * size.z, 1e-9 * area);
   EXPECT_EQ(scene.bounds.min.y, 0.0);
   EXPECT_GT(size.y, 1.0);
+}
+
+// ---- ball, robots, ceiling ------------------------------------------------------------------------------------------------
+
+TEST(Ball, FloatsOverThePlane) {
+  const Scene scene = scene_of("ball");
+  for (const Mesh& mesh : scene.meshes)
+    for (const glm::dvec3& p : mesh.positions) EXPECT_TRUE(mesh.name == "ball" ? p.y > 0.5 : p.y == 0.0) << mesh.name;
+  EXPECT_LT(scene.triangle_count(), 2000u);
+}
+
+TEST(Robots, AreAboutAsManyTrianglesAsInThePaperAndStandOnTheGround) {
+  const Scene scene = scene_of("robots");
+  EXPECT_NEAR(double(scene.triangle_count()), 11000, 500);
+  std::map<std::string, double> lowest;
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.name.starts_with("robot_"))
+      for (const glm::dvec3& p : mesh.positions) {
+        double& y = lowest.try_emplace(mesh.name.substr(0, 7), p.y).first->second;
+        y = std::min(y, p.y);
+      }
+  EXPECT_EQ(lowest.size(), 4u);
+  for (const auto& [robot, y] : lowest) EXPECT_NEAR(y, 0.0, 1e-12) << robot;
+}
+
+TEST(Ceiling, IsAboutAsManyTrianglesAsInThePaperAndOverheadForTheMostPart) {
+  const Scene scene = scene_of("ceiling");
+  EXPECT_NEAR(double(scene.triangle_count()), 23000, 1000);
+  std::size_t above = 0;
+  for (const Mesh& mesh : scene.meshes)
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3)
+      above += mesh.positions[mesh.triangles[i]].y > scene.camera->position.y + 3;
+  EXPECT_GT(above, scene.triangle_count() / 2);
 }
 
 // ---- shapes -----------------------------------------------------------------------------------------------------------

@@ -66,7 +66,8 @@ TEST(SceneBody, HullOfABuiltInSceneHoldsWhatMattersInsideTheBox) {
     const Analysis hull = analyze(experiment_of(scene, SceneBody::hull), scene);
     EXPECT_EQ(box.scene_body_used, SceneBody::box);
     EXPECT_EQ(hull.scene_body_used, SceneBody::hull);
-    EXPECT_LT(hull.scene_body.volume(), box.scene_body.volume());
+    EXPECT_LE(hull.scene_body.volume(), box.scene_body.volume() * (1 + 1e-12));
+    EXPECT_TRUE(id == "ceiling" || hull.scene_body.volume() < 0.999 * box.scene_body.volume()) << "a hall fills its box";
     EXPECT_LE(hull.receivers_body.volume(), box.receivers_body.volume() * (1 + 1e-12));
     EXPECT_LE(hull.depth_body.volume(), box.depth_body.volume() * (1 + 1e-12));
     const Note* note = find_note(hull, "scene_body_hull");
@@ -75,8 +76,7 @@ TEST(SceneBody, HullOfABuiltInSceneHoldsWhatMattersInsideTheBox) {
     EXPECT_LE(*note->value, 1 + 1e-12);
     expect_window_touches(hull);
     for (const Mesh& mesh : scene.meshes)
-      for (const dvec3& p : mesh.positions)
-        ASSERT_TRUE(!holds(box.caster_body, p) || holds(hull.scene_body, p));
+      for (const dvec3& p : mesh.positions) ASSERT_TRUE(!holds(box.caster_body, p) || holds(hull.scene_body, p));
   }
 }
 

@@ -36,9 +36,12 @@ Legend legend_of(const Counts& counts, const LightSettings& light, const std::st
   Legend legend;
   legend.title = "light that is seen, " + size;
   const auto share = [&](std::size_t part) { return ": " + percent_text(part, counts.all()); };
-  legend.entries = {
-      {kUmbra, "umbra, none" + share(counts.umbra)},     {color_of(0.25f), "penumbra, 1/4"},     {color_of(0.5f), "1/2"},
-      {color_of(0.75f), "3/4" + share(counts.penumbra)}, {kLit, "lit, all" + share(counts.lit)}, {kAway, "faces away"}};
+  legend.entries = {{kUmbra, "umbra" + share(counts.umbra)},
+                    {color_of(0.25f), "penumbra" + share(counts.penumbra) + "; 1/4"},
+                    {color_of(0.5f), "1/2"},
+                    {color_of(0.75f), "3/4 of the light"},
+                    {kLit, "lit" + share(counts.lit)},
+                    {kAway, "faces away"}};
   if (!(light.radius > 0)) legend.lines.push_back("light.radius is 0: a point of light has no penumbra");
   return legend;
 }

@@ -11,7 +11,8 @@ struct Builtin {
   Scene (*make)();
 };
 
-constexpr std::array kBuiltins{Builtin{"chessboard", make_chessboard}, Builtin{"ground", make_ground}};
+constexpr std::array kBuiltins{Builtin{"chessboard", make_chessboard}, Builtin{"ground", make_ground}, Builtin{"ball", make_ball},
+                               Builtin{"robots", make_robots}, Builtin{"ceiling", make_ceiling}};
 
 }  // namespace
 

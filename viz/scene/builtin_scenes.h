@@ -8,5 +8,8 @@ namespace psm {
 
 Scene make_chessboard();
 Scene make_ground();
+Scene make_ball();
+Scene make_robots();
+Scene make_ceiling();
 
 }  // namespace psm
