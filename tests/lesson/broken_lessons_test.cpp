@@ -35,8 +35,8 @@ TEST(ABrokenLessonJson, NamesItsLineAndWhatIsAllowed) {
        "not all of them (nearly) zero"},
       {"\"shadow.resolution\"", "\"shadow.resolutoin\"",
        "lesson.json:12: steps.0.controls.1: shadow.resolutoin: no such member; allowed: shadow.technique, shadow.resolution, "
-       "shadow.filter, shadow.depth_bias, shadow.camera_shift, shadow.near_fit, shadow.focus, shadow.warp_range, "
-       "shadow.scene_body, shadow.receiver_plane, shadow.plane"},
+       "shadow.camera_shift, shadow.near_fit, shadow.focus, shadow.warp_range, shadow.scene_body, shadow.receiver_plane, "
+       "shadow.plane, shadow.depth_bias, shadow.slope_bias, shadow.normal_bias, shadow.cull, shadow.filter, shadow.filter_size"},
       {"\"shadow.resolution\"", "\"light.cone_deg\"",
        "lesson.json:7: step 1: light.cone_deg: has no meaning for this step's directional light; allowed: a control that has"},
       {"\"highlight\": [\"light\"]", "\"highlight\": [\"lamp\"]",
