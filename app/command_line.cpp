@@ -33,6 +33,7 @@ struct Arguments {
   MeasureArguments measure;
   ReportArguments report;
   std::vector<std::string> lesson_files;
+  std::string lesson;  // of the window
 };
 
 CLI::Option* add_experiment(CLI::App& app, ExperimentArguments& arguments) {
@@ -154,6 +155,9 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   CLI::Option* window_experiment = add_experiment(app, arguments.experiment);
   app.add_flag("--present", arguments.present, "Opens the window in front of a class: large type, no controls (key F11)");
+  CLI::Option* lesson_option = app.add_option("--lesson", arguments.lesson,
+                                              "Opens the window in a lesson: its name or folder, /3 behind it for its third step")
+                                   ->type_name("NAME");
   CLI::App& analyze = *app.add_subcommand("analyze", "Prints the analysis of an experiment as JSON");
   add_analyze(analyze, arguments);
   CLI::App& curves = *app.add_subcommand("curves", "Prints the error model as CSV, a row for each angle and technique");
@@ -195,8 +199,9 @@ int parse_and_run(int argc, char** argv) {
     return refuse(error, app);
   }
   // An experiment before the command's name would be lost without a word.
-  if (!app.get_subcommands().empty() && (window_experiment->count() > 0 || app.count("--set") > 0 || arguments.present)) {
-    complain("EXPERIMENT, --set and --present: not before the command's name; allowed: after it");
+  if (!app.get_subcommands().empty() &&
+      (window_experiment->count() > 0 || app.count("--set") > 0 || arguments.present || lesson_option->count() > 0)) {
+    complain("EXPERIMENT, --set, --present and --lesson: not before the command's name; allowed: after it");
     return kBadInput;
   }
   if (analyze.parsed() && analyze.count("--matrices") > 0)
@@ -209,7 +214,7 @@ int parse_and_run(int argc, char** argv) {
   if (reported.parsed()) return report(arguments.report);
   if (scenes.parsed()) return write->count() > 0 ? write_scenes(arguments.scenes_folder) : list_scenes();
   if (lesson.parsed()) return lesson_check.parsed() ? check_lessons(arguments.lesson_files) : list_lessons();
-  return show_window(arguments.experiment, arguments.present);
+  return show_window(arguments.experiment, arguments.lesson, arguments.present);
 }
 
 /// A program started with closed standard streams must not find its own files under their numbers.

@@ -9,6 +9,7 @@
 
 #include "app/command_line.h"
 #include "app/headless_context.h"
+#include "app/lessons.h"
 #include "app/numbers.h"
 #include "app/picture_file.h"
 #include "app/render.h"
@@ -145,11 +146,13 @@ bool print(const std::string& text) {
 
 void complain(const std::string& line) { std::fprintf(stderr, "%s\n", one_line(line).c_str()); }
 
-int show_window(const ExperimentArguments& arguments, bool present) {
+int show_window(const ExperimentArguments& arguments, const std::string& lesson, bool present) {
   const auto loaded = load(arguments);
   if (!loaded) return bad_input(loaded.error());
+  if (!lesson.empty())
+    if (const auto error = check_lesson_argument(lesson)) return bad_input(*error);
   if (!display_available()) return draw_without_display(*loaded);
-  const auto error = run_window(*loaded, present);
+  const auto error = run_window(*loaded, lesson, present);
   return error ? other_failure(*error) : kDone;
 }
 

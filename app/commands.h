@@ -27,7 +27,8 @@ struct RenderArguments {
   std::optional<std::string> sweep;
 };
 
-int show_window(const ExperimentArguments& arguments, bool present);
+/// `lesson`: a lesson to open, "/3" behind it for its third step; empty: none.
+int show_window(const ExperimentArguments& arguments, const std::string& lesson, bool present);
 int print_analysis(const ExperimentArguments& arguments, bool texels);
 int print_matrices(const ExperimentArguments& arguments, const std::string& language, const std::string& convention);
 int print_curves(const CurvesText& text);

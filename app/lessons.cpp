@@ -9,6 +9,7 @@
 #include "app/assets.h"
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/numbers.h"
 #include "lesson/font_face.h"
 #include "measure/ray_tracer.h"
 #include "measure/texel_analysis.h"
@@ -78,6 +79,16 @@ Analyze ray_traced_analyze() {
     if (!last->tracer || last->source != source) last->source = source, last->tracer.emplace(loaded.scene);
     return analyze(loaded.experiment, loaded.scene, *last->tracer);
   };
+}
+
+std::optional<InputError> check_lesson_argument(const std::string& argument) {
+  std::string name = argument;
+  const std::size_t step = take_lesson_step(name);
+  const auto folder = lesson_folder(name);
+  const auto lesson = folder ? read_lesson(*folder) : folder.error();
+  if (!lesson) return InputError{"--lesson " + lesson.error().text};
+  if (step < lesson->steps.size()) return std::nullopt;
+  return flag_error("--lesson", argument, "a step from 1 to " + std::to_string(lesson->steps.size()));
 }
 
 int list_lessons() {

@@ -16,6 +16,9 @@ int list_lessons();
 /// goes to standard error, a line each.
 int check_lessons(const std::vector<std::string>& files);
 
+/// What --lesson opens can be read: a lesson as above, "/3" behind it for its third step.
+std::optional<InputError> check_lesson_argument(const std::string& argument);
+
 /// Analyses as `psmlab analyze` does; keeps the rays' acceleration structure of the scene it saw last.
 Analyze ray_traced_analyze();
 

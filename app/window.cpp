@@ -85,7 +85,7 @@ GLFWmonitor* monitor_at(glm::ivec2 point) {
 /// The window with everything in it. GLFW's callbacks find it by the window's user pointer.
 class App {
  public:
-  App(GLFWwindow* window, const LoadedExperiment& loaded);
+  App(GLFWwindow* window, const LoadedExperiment& loaded, const std::string& lesson);
   ~App() { ImGui_ImplGlfw_Shutdown(); }
   void run();
   void present(bool on) { workbench_.present(on); }
@@ -98,7 +98,7 @@ class App {
   void draw();
   void fill_screen_while_presenting();
   glm::dvec2 framebuffer_point(double x, double y) const;
-  static WorkbenchOptions options();
+  static WorkbenchOptions options(const std::string& lesson);
 
   GLFWwindow* window_;
   InputQueue input_;
@@ -110,19 +110,21 @@ class App {
   glm::ivec2 place_{0}, size_{0};  // of the window before it filled the screen
 };
 
-WorkbenchOptions App::options() {
+WorkbenchOptions App::options(const std::string& lesson) {
   WorkbenchOptions options;
   options.assets = assets_folder();
   options.font = font_file();
   options.settings = settings_file();
+  options.lessons = lessons_folder();
+  options.lesson = lesson;
   options.write_picture = [](const std::filesystem::path& file, const Image& image) {
     return write_png(file, image.width, image.height, image.rgba);
   };
   return options;
 }
 
-App::App(GLFWwindow* window, const LoadedExperiment& loaded)
-    : window_(window), host_(Screen::Target::window), workbench_(loaded, options()), last_time_(glfwGetTime()) {
+App::App(GLFWwindow* window, const LoadedExperiment& loaded, const std::string& lesson)
+    : window_(window), host_(Screen::Target::window), workbench_(loaded, options(lesson)), last_time_(glfwGetTime()) {
   ImGui_ImplGlfw_InitForOpenGL(window, false);
   glfwSetWindowUserPointer(window, this);
   install_callbacks();
@@ -235,14 +237,14 @@ void App::run() {
 
 bool display_available() { return bool(Glfw()); }
 
-std::optional<InputError> run_window(const LoadedExperiment& loaded, bool present) {
+std::optional<InputError> run_window(const LoadedExperiment& loaded, const std::string& lesson, bool present) {
   const Glfw glfw;
   if (!glfw) return InputError{"cannot open a window: " + glfw_error()};
   const WindowPtr window = open_window("psmlab");
   if (!window) return InputError{"cannot open a window with OpenGL: " + glfw_error()};
   glfwMakeContextCurrent(window.get());
   glfwSwapInterval(1);
-  App app(window.get(), loaded);
+  App app(window.get(), loaded, lesson);
   app.present(present);
   app.run();
   return std::nullopt;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "scene/experiment_file.h"
 
@@ -11,8 +12,8 @@ namespace psm {
 /// False where no window can be opened (no display).
 bool display_available();
 
-/// Opens the window on this experiment and runs until it is closed; `present`: in front of a class, at once. An error if the
-/// window cannot be opened.
-std::optional<InputError> run_window(const LoadedExperiment& loaded, bool present);
+/// Opens the window on this experiment and runs until it is closed. `lesson`: see WorkbenchOptions. `present`: in front of a
+/// class, at once. An error if the window cannot be opened.
+std::optional<InputError> run_window(const LoadedExperiment& loaded, const std::string& lesson, bool present);
 
 }  // namespace psm

@@ -20,7 +20,9 @@ ScratchFolder::~ScratchFolder() {
   if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
 }
 
-Bench::Bench(const std::string& source, const std::vector<std::string>& overrides, glm::ivec2 size) : size_(size) {
+Bench::Bench(const std::string& source, const std::vector<std::string>& overrides, glm::ivec2 size,
+             const std::filesystem::path& lessons, const std::string& lesson)
+    : size_(size) {
   auto context = HeadlessContext::create();
   EXPECT_TRUE(context) << context.error().text;
   context_ = std::move(*context);
@@ -31,6 +33,8 @@ Bench::Bench(const std::string& source, const std::vector<std::string>& override
   options.assets = assets_folder();
   options.font = font_file();
   options.settings = folder_.path() / "config" / "settings.txt";
+  options.lessons = lessons;
+  options.lesson = lesson;
   options.pictures = folder_.path();
   options.write_picture = [](const std::filesystem::path& file, const Image& image) {
     return write_png(file, image.width, image.height, image.rgba);
@@ -110,18 +114,25 @@ void Bench::type(const std::string& text) {
   settle();
 }
 
+/// The part that scrolls and has this widget: of the control pane, or of the lesson's.
+std::optional<Rect> Bench::scroller_of(const Rect& widget) const {
+  for (const char* name : {"pane.fields", "lesson.text"})
+    if (const auto pane = work_places().find(name); pane != work_places().end())
+      if (widget.min.x >= pane->second.min.x && widget.min.x < pane->second.max.x) return pane->second;
+  return std::nullopt;
+}
+
 /// The wheel over the pane until the widget is inside it.
 bool Bench::scroll_to(const std::string& place) {
-  const auto pane = work_places().find("pane.fields");
   const auto found = work_places().find(place);
-  if (pane == work_places().end() || found == work_places().end()) return false;
-  const Rect window = pane->second;
+  const auto pane = found == work_places().end() ? std::nullopt : scroller_of(found->second);
+  if (!pane) return false;
+  const Rect window = *pane;
   for (int tries = 0; tries < 300; ++tries) {
     const Rect rect = work_places().at(place);
-    const bool inside_pane = rect.min.x >= window.min.x;
-    if (!inside_pane || (rect.min.y >= window.min.y && rect.max.y <= window.max.y)) return true;
+    if (rect.min.y >= window.min.y && rect.max.y <= window.max.y) return true;
     wheel(glm::dvec2(window.max.x - 3, window.max.y - 3), rect.min.y < window.min.y ? 0.5 : -0.5);
-    if (work_places().count(place) == 0) return false;
+    if (work_places().count(place) == 0 || work_places().at(place).min == rect.min) return false;  // it does not scroll
   }
   return false;
 }

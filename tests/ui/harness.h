@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/headless_context.h"
@@ -27,7 +28,7 @@ class ScratchFolder {
 class Bench {
  public:
   explicit Bench(const std::string& source = "ground", const std::vector<std::string>& overrides = {},
-                 glm::ivec2 size = {1024, 768});
+                 glm::ivec2 size = {1024, 768}, const std::filesystem::path& lessons = {}, const std::string& lesson = "");
 
   Workbench& work() { return *workbench_; }
   const Experiment& experiment() const { return workbench_->model().experiment(); }
@@ -61,6 +62,7 @@ class Bench {
   Image view(ViewId id) { return workbench_->renderer().read_view(id); }
 
  private:
+  std::optional<Rect> scroller_of(const Rect& widget) const;
   bool scroll_to(const std::string& place);
 
   ScratchFolder folder_;

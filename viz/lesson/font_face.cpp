@@ -16,7 +16,7 @@ struct FontFace::Font {
   std::string bytes;
   stbtt_fontinfo info{};
   bool usable = false;
-  int ascent = 0, height = 1;  // in the font's units
+  int height = 1;  // ascent plus descent, in the font's units
 };
 
 FontFace::FontFace(std::string bytes) : font_(std::make_unique<Font>()) {
@@ -26,9 +26,9 @@ FontFace::FontFace(std::string bytes) : font_(std::make_unique<Font>()) {
   const int offset = stbtt_GetFontOffsetForIndex(data, 0);
   font_->usable = offset >= 0 && stbtt_InitFont(&font_->info, data, offset) != 0;
   if (!font_->usable) return;
-  int descent = 0, gap = 0;
-  stbtt_GetFontVMetrics(&font_->info, &font_->ascent, &descent, &gap);
-  font_->height = font_->ascent - descent;
+  int ascent = 0, descent = 0, gap = 0;
+  stbtt_GetFontVMetrics(&font_->info, &ascent, &descent, &gap);
+  font_->height = ascent - descent;
 }
 
 FontFace::~FontFace() = default;
@@ -51,7 +51,17 @@ double FontFace::width(const std::string& text) const {
   return units / font_->height;
 }
 
-double FontFace::ascent() const { return double(font_->ascent) / font_->height; }
+Reach FontFace::reach(const std::string& text) const {
+  Reach reach;
+  if (!font_->usable) return reach;
+  for (const char32_t point : code_points(text)) {
+    int left = 0, low = 0, right = 0, high = 0;
+    if (stbtt_GetCodepointBox(&font_->info, int(point), &left, &low, &right, &high) == 0) continue;
+    reach.above = std::max(reach.above, double(high) / font_->height);
+    reach.below = std::max(reach.below, -double(low) / font_->height);
+  }
+  return reach;
+}
 
 std::u32string code_points(const std::string& text) {
   std::u32string points;

@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "lesson/box.h"
+
 namespace psm {
 
 /// The code points, first and last of each range, that the window's type is baked for: Latin, Greek, punctuation, sub- and
@@ -23,7 +25,8 @@ class FontFace {
   bool has(char32_t point) const;
   /// Of a line of UTF-8 text, in parts of the font's size (ascent plus descent).
   double width(const std::string& text) const;
-  double ascent() const;  // in parts of the size
+  /// How far its ink reaches above and below the baseline, in parts of the size.
+  Reach reach(const std::string& text) const;
 
  private:
   struct Font;

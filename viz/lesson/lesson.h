@@ -109,6 +109,9 @@ Result<Lesson> read_lesson(const std::filesystem::path& folder);
 /// Folders below `lessons` that hold a lesson.json, sorted by name.
 std::vector<std::filesystem::path> lesson_folders(const std::filesystem::path& lessons);
 
+/// Of "05_directional_lights/3", which loses its "/3": 2. Without a number behind the last slash: 0.
+std::size_t take_lesson_step(std::string& name);
+
 /// What a step may name.
 const std::vector<std::string>& lesson_view_names();
 const std::vector<std::string>& lesson_role_names();

@@ -280,6 +280,15 @@ Result<Lesson> read_lesson(const fs::path& folder) {
   return lesson;
 }
 
+std::size_t take_lesson_step(std::string& name) {
+  const std::size_t slash = name.rfind('/');
+  if (slash == std::string::npos || slash == 0) return 0;
+  const std::string digits = name.substr(slash + 1);
+  if (digits.empty() || digits.size() > 3 || digits.find_first_not_of("0123456789") != std::string::npos) return 0;
+  name.erase(slash);
+  return std::size_t(std::max(1, std::stoi(digits))) - 1;
+}
+
 std::vector<fs::path> lesson_folders(const fs::path& lessons) {
   std::vector<fs::path> folders;
   std::error_code error;

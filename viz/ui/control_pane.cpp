@@ -82,6 +82,8 @@ void scene_selector(UiContext& ui, Requests& requests) {
   ImGui::Separator();
   if (ImGui::Selectable("Open a file…")) requests.action = Action::open;
   note_place(ui, "scene.source=file");
+  if (ImGui::Selectable("Lessons…")) requests.action = Action::toggle_lesson;
+  note_place(ui, "scene.source=lessons");
   ImGui::EndCombo();
 }
 

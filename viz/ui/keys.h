@@ -49,6 +49,7 @@ enum class Action {
   next_screen,
   previous_screen,
   black_screen,
+  toggle_lesson,
   quit
 };
 

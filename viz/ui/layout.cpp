@@ -37,14 +37,22 @@ Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, const ViewSett
     out.pane_splitter = {{area.max.x, 0}, {pane_left, bottom}};
     out.pane = {{pane_left, 0}, {window.x, bottom}};
   }
+  if (settings.lesson_shown) {
+    const int right = part(window.x, settings.lesson);
+    out.lesson = {{0, 0}, {std::min(right, area.max.x), bottom}};
+    area.min.x = std::min(right + splitter, area.max.x);
+    out.lesson_splitter = {{out.lesson.max.x, 0}, {area.min.x, bottom}};
+  }
   place_tiles(out, area, view.maximised ? std::vector<ViewId>{*view.maximised} : view.tiles, settings, splitter);
   return out;
 }
 
 LayoutSettings move_splitter(Splitter which, glm::dvec2 to, glm::ivec2 window, LayoutSettings s, int badge_height) {
-  const double area_width = std::max(1.0, window.x * (s.pane_shown ? 1.0 - s.pane : 1.0));
+  const double left = s.lesson_shown ? window.x * s.lesson : 0.0;
+  const double area_width = std::max(1.0, window.x * (s.pane_shown ? 1.0 - s.pane : 1.0) - left);
+  if (which == Splitter::lesson) s.lesson = to.x / std::max(1, window.x);
   if (which == Splitter::pane) s.pane = 1.0 - to.x / std::max(1, window.x);
-  if (which == Splitter::column) s.column = to.x / area_width;
+  if (which == Splitter::column) s.column = (to.x - left) / area_width;
   if (which == Splitter::row) s.row = to.y / std::max(1, window.y - badge_height);
   Settings limits;
   limits.layout = s;
@@ -53,6 +61,7 @@ LayoutSettings move_splitter(Splitter which, glm::dvec2 to, glm::ivec2 window, L
 
 LayoutSettings reset_splitter(Splitter which, LayoutSettings s) {
   const LayoutSettings standard;
+  if (which == Splitter::lesson) s.lesson = standard.lesson;
   if (which == Splitter::pane) s.pane = standard.pane;
   if (which == Splitter::column) s.column = standard.column;
   if (which == Splitter::row) s.row = standard.row;

@@ -22,9 +22,9 @@ struct Rect {
 using ViewSizes = std::array<glm::ivec2, kAllViews.size()>;  // by ViewId, in pixels; 0: hidden
 
 struct Layout {
-  std::array<Rect, kAllViews.size()> views;           // by ViewId; empty: hidden
-  Rect pane, badges;                                  // pane empty: hidden
-  Rect pane_splitter, column_splitter, row_splitter;  // empty: nothing to divide
+  std::array<Rect, kAllViews.size()> views;                            // by ViewId; empty: hidden
+  Rect lesson, pane, badges;                                           // lesson, pane empty: hidden
+  Rect lesson_splitter, pane_splitter, column_splitter, row_splitter;  // empty: nothing to divide
   bool visible(ViewId id) const { return !views[std::size_t(id)].empty(); }
   const Rect& view(ViewId id) const { return views[std::size_t(id)]; }
 };
@@ -34,7 +34,7 @@ struct Layout {
 Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, const ViewSettings& view, int badge_height, int splitter);
 
 /// The settings after a divider was dragged to this pixel.
-enum class Splitter { pane, column, row };
+enum class Splitter { lesson, pane, column, row };
 LayoutSettings move_splitter(Splitter splitter, glm::dvec2 to, glm::ivec2 window, LayoutSettings settings, int badge_height);
 LayoutSettings reset_splitter(Splitter splitter, LayoutSettings settings);
 

@@ -20,26 +20,6 @@ void caption(const char* text, const std::vector<Tick>& ticks) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + std::floor(0.7f * tick_label_height(ticks)));
 }
 
-void theta_slider(UiContext& ui, LightControls& state, Experiment& e) {
-  double degrees = glm::degrees(light_theta(e));
-  const double before = degrees;
-  const auto ticks = theta_ticks(e);
-  caption("θ, between light and view", ticks);
-  ImGui::SetNextItemWidth(full_width());
-  if (ticked_slider("##theta", degrees, {0.0, 180.0, false, false}, ticks, shown_number(degrees) + "°", ui.theme)) {
-    if (!state.theta_side) state.theta_side = theta_side(e);
-    const double theta = degrees == 90.0 ? half_pi : glm::radians(std::clamp(degrees, 0.0, 180.0));
-    if (degrees != before) e.light.to_light = to_light_at(e, theta, *state.theta_side);
-  }
-  note_place(ui, "theta");
-  if (ImGui::IsItemActivated() && !state.theta_side) state.theta_side = theta_side(e);
-  if (!ImGui::IsItemActive()) state.theta_side.reset();
-  rest_tooltip(
-      "Angle between the view direction and the direction to the light, in degrees.\nAt 90° w = 0: the light is "
-      "directional after the projection. Below φ and above 180° − φ the light shines along the view.\nAlt while dragging: "
-      "no snapping.");
-}
-
 /// What one looks at sets the scale; a light beyond it is still on the slider.
 double depth_slider_reach(const Experiment& e) {
   return std::max(2.0 * glm::length(e.camera.target - e.camera.position), 1.25 * std::abs(light_depth(e)));
@@ -167,6 +147,26 @@ bool light_dial(UiContext& ui, Experiment& e) {
   ImGui::EndGroup();
   note_place(ui, "dial.legend");
   return changed;
+}
+
+void theta_slider(UiContext& ui, LightControls& state, Experiment& e) {
+  double degrees = glm::degrees(light_theta(e));
+  const double before = degrees;
+  const auto ticks = theta_ticks(e);
+  caption("θ, between light and view", ticks);
+  ImGui::SetNextItemWidth(full_width());
+  if (ticked_slider("##theta", degrees, {0.0, 180.0, false, false}, ticks, shown_number(degrees) + "°", ui.theme)) {
+    if (!state.theta_side) state.theta_side = theta_side(e);
+    const double theta = degrees == 90.0 ? half_pi : glm::radians(std::clamp(degrees, 0.0, 180.0));
+    if (degrees != before) e.light.to_light = to_light_at(e, theta, *state.theta_side);
+  }
+  note_place(ui, "theta");
+  if (ImGui::IsItemActivated() && !state.theta_side) state.theta_side = theta_side(e);
+  if (!ImGui::IsItemActive()) state.theta_side.reset();
+  rest_tooltip(
+      "Angle between the view direction and the direction to the light, in degrees.\nAt 90° w = 0: the light is "
+      "directional after the projection. Below φ and above 180° − φ the light shines along the view.\nAlt while dragging: "
+      "no snapping.");
 }
 
 void light_controls(UiContext& ui, LightControls& state, Experiment& e) {

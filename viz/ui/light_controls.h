@@ -22,6 +22,9 @@ std::vector<Tick> theta_ticks(const Experiment& experiment);
 /// Draws what belongs to the light's type and edits `experiment`.
 void light_controls(UiContext& ui, LightControls& state, Experiment& experiment);
 
+/// The angle of a directional light alone.
+void theta_slider(UiContext& ui, LightControls& state, Experiment& experiment);
+
 /// A disc: the sky seen from above, its rim the horizon. Lights below the horizon show as a ring.
 bool light_dial(UiContext& ui, Experiment& experiment);
 

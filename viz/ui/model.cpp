@@ -190,6 +190,11 @@ std::optional<InputError> Model::save(const fs::path& file) {
   return std::nullopt;
 }
 
-bool Model::unsaved() const { return !same_but_views(saved_, loaded_.experiment); }
+bool Model::unsaved(const Experiment& experiment) const { return !same_but_views(saved_, experiment); }
+
+void Model::set_original(const std::optional<Experiment>& original) {
+  const auto known = originals_.find(loaded_.experiment.scene.source);
+  original_ = original ? *original : known != originals_.end() ? known->second : loaded_.experiment;
+}
 
 }  // namespace psm

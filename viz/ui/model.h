@@ -28,6 +28,7 @@ class Model {
  public:
   explicit Model(LoadedExperiment loaded);
 
+  const LoadedExperiment& loaded() const { return loaded_; }
   const Experiment& experiment() const { return loaded_.experiment; }
   const Scene& scene() const { return loaded_.scene; }
   const RayTracer& tracer() const { return tracer_; }
@@ -52,8 +53,11 @@ class Model {
   /// The same with a share text or the JSON of an experiment.
   std::optional<InputError> paste(const std::string& text) { return take_over(experiment_from_text(text)); }
   std::optional<InputError> save(const std::filesystem::path& file);
+  /// Where resets go back to from now on; none: how it was opened.
+  void set_original(const std::optional<Experiment>& original);
   /// More than the views differs from what was opened or last saved.
-  bool unsaved() const;
+  bool unsaved() const { return unsaved(loaded_.experiment); }
+  bool unsaved(const Experiment& experiment) const;
 
   /// Points of another source are forgotten.
   void set_points_source(PointsSource source);

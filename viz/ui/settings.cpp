@@ -40,6 +40,7 @@ void take(Settings& s, const std::string& name, const std::string& word) {
   if (name == "hovering") s.hovering = word != "0";
   if (name == "matrix_language") s.matrix_language = matrix_language_from_name(word).value_or(s.matrix_language);
   if (name == "clip_convention") s.clip_convention = clip_convention_from_name(word).value_or(s.clip_convention);
+  if (name == "lesson") take_number(word, s.layout.lesson);
   if (name == "pane") take_number(word, s.layout.pane);
   if (name == "column") take_number(word, s.layout.column);
   if (name == "row") take_number(word, s.layout.row);
@@ -52,6 +53,7 @@ Settings clamped(Settings s) {
   s.scale_percent = std::clamp(s.scale_percent, 75, 300);
   s.font_px = std::clamp(s.font_px, 12, 32);
   s.layout.pane = std::clamp(s.layout.pane, 0.15, 0.6);
+  s.layout.lesson = std::clamp(s.layout.lesson, 0.2, 0.6);
   s.layout.column = std::clamp(s.layout.column, 0.1, 0.9);
   s.layout.row = std::clamp(s.layout.row, 0.1, 0.9);
   return s;
@@ -86,7 +88,7 @@ bool write_settings(const Settings& s, const fs::path& file) {
       << (s.theme == Theme::dark ? "dark" : "light") << "\nvisible_points "
       << (s.points_from == PointsSource::depth ? "depth" : "rays") << "\nreduced_motion " << int(s.reduced_motion)
       << "\nhovering " << int(s.hovering) << "\nmatrix_language " << name_of(s.matrix_language) << "\nclip_convention "
-      << name_of(s.clip_convention) << "\npane " << s.layout.pane << "\ncolumn " << s.layout.column << "\nrow " << s.layout.row
+      << name_of(s.clip_convention) << "\nlesson " << s.layout.lesson << "\npane " << s.layout.pane << "\ncolumn " << s.layout.column << "\nrow " << s.layout.row
       << "\npane_shown " << int(s.layout.pane_shown) << "\n";
   return !write_file_atomically(file, out.str());
 }

@@ -12,10 +12,12 @@ namespace psm {
 
 /// Places of the dividers as fractions, and what is hidden.
 struct LayoutSettings {
-  double pane = 0.28;   // of the width
-  double column = 0.5;  // of what the pane leaves
-  double row = 0.5;     // of what the badge bar leaves
+  double lesson = 0.36;  // of the width
+  double pane = 0.28;    // of the width
+  double column = 0.5;   // of what the pane leaves
+  double row = 0.5;      // of what the badge bar leaves
   bool pane_shown = true;
+  bool lesson_shown = false;  // of this run alone
   bool operator==(const LayoutSettings&) const = default;
 };
 

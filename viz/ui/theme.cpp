@@ -5,13 +5,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "lesson/font_face.h"
 
 namespace psm {
 namespace {
 
-// Latin, Greek, punctuation, sub- and superscripts, arrows and mathematics, shapes: all are in DejaVu Sans.
-const ImWchar glyph_ranges[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x205F, 0x2070,
-                                0x209F, 0x2190, 0x22FF, 0x25A0, 0x25FF, 0};
+/// kTextRanges as ImGui takes them; all are in DejaVu Sans.
+const std::vector<ImWchar>& glyph_ranges() {
+  static const std::vector<ImWchar> list = [] {
+    std::vector<ImWchar> out;
+    for (const auto& range : kTextRanges) out.insert(out.end(), {ImWchar(range[0]), ImWchar(range[1])});
+    out.push_back(0);
+    return out;
+  }();
+  return list;
+}
+
+/// Code needs no more than this.
+const ImWchar code_ranges[] = {0x0020, 0x007E, 0x00A0, 0x00FF, 0x0370, 0x03FF, 0};
+
+// Of headings, which are the largest bold text; strong words are drawn smaller from the same glyphs.
+constexpr double bold_scale = 1.25;
 
 glm::vec3 hex(unsigned rgb) { return glm::vec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0f; }
 ImVec4 vec4(const glm::vec3& c, float alpha = 1.0f) { return {c.r, c.g, c.b, alpha}; }
@@ -100,8 +116,19 @@ void apply_look(const LookKey& look, const std::filesystem::path& font) {
   io.Fonts->Clear();
   // The default's 1024 would make a tower at large sizes that old cards refuse.
   io.Fonts->TexDesiredWidth = look.font_px > 30 ? 4096 : 2048;
-  io.FontDefault = io.Fonts->AddFontFromFileTTF(font.c_str(), float(look.font_px), &config, glyph_ranges);
+  const auto add = [&](const char* file, double size, const ImWchar* ranges) {
+    const std::filesystem::path path = font.parent_path() / file;
+    return io.Fonts->AddFontFromFileTTF(path.c_str(), float(std::round(size)), &config, ranges);
+  };
+  io.FontDefault = io.Fonts->AddFontFromFileTTF(font.c_str(), float(look.font_px), &config, glyph_ranges().data());
+  add("DejaVuSans-Bold.ttf", bold_scale * look.font_px, glyph_ranges().data());
+  add("DejaVuSansMono.ttf", 0.92 * look.font_px, code_ranges);
   io.Fonts->Build();
+}
+
+ImFont* face_font(Face face) {
+  const auto& fonts = ImGui::GetIO().Fonts->Fonts;
+  return fonts[std::min(int(face), fonts.Size - 1)];
 }
 
 Color color(const glm::vec3& srgb, double alpha) {

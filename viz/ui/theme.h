@@ -8,8 +8,10 @@
 
 #include "draw/draw_list.h"
 #include "gl/renderer.h"
+#include "lesson/box.h"
 
 struct ImVec4;
+struct ImFont;
 
 namespace psm {
 
@@ -23,6 +25,9 @@ struct LookKey {
 
 /// Body text of this size and a style of this scale, made afresh. The font texture on the graphics card is then out of date.
 void apply_look(const LookKey& look, const std::filesystem::path& font);
+
+/// The fonts of the current look: body text; headings, larger; code.
+ImFont* face_font(Face face);
 
 /// Packed colours for ImDrawList.
 using Color = std::uint32_t;

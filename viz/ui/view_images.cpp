@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view_images.h"
 
+#include "draw/emphasis.h"
 #include "ui/comparison.h"
 #include "ui/navigation.h"
 
@@ -95,11 +96,12 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
     View& view = views_[std::size_t(id)];
     const bool wants_rays = id == ViewId::eye && takes_rays(shown.eye_overlay);
     const bool has_rays = wants_rays && is_traced(model, shown.eye_overlay);
-    const Key key{model.analysis_revision(), relevant(id, shown), size, scale, theme, has_rays ? traced_of_ : 0};
+    const Key key{model.analysis_revision(), relevant(id, shown), size, scale, theme, has_rays ? traced_of_ : 0, highlight_};
     if (view.texture != 0 && view.key == key) continue;
     if (!is_drawing(id)) upload(model, profile);
     profile.run(stage_of(id), [&] {
       view.picture = describe_view(id, analysis_, model.scene(), size);
+      emphasise(view.picture.list, highlight_);
       if (has_rays) show_overlay(view.picture, *traced_);
       if (wants_rays && !has_rays) announce_overlay(view.picture);
       drop_divided_numbers(view.picture, shown);

@@ -40,6 +40,8 @@ class ViewImages {
 
   /// Draws what is out of date; returns how many views were drawn. `sizes`: empty (0) for hidden views.
   int update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme, Profile& profile);
+  /// Roles drawn stronger than the rest from now on; none: all alike.
+  void highlight(std::vector<Role> roles) { highlight_ = std::move(roles); }
   /// The card has this model's scene.
   bool has_scene_of(const Model& model) const { return scene_ == model.scene_revision(); }
 
@@ -60,6 +62,7 @@ class ViewImages {
     double scale = 0.0;
     Theme theme = Theme::light;
     std::uint64_t traced = 0;  // the analysis whose traced overlay is shown
+    std::vector<Role> highlight;
     bool operator==(const Key&) const = default;
   };
   struct View {
@@ -72,6 +75,7 @@ class ViewImages {
 
   Renderer& renderer_;
   Analysis analysis_;
+  std::vector<Role> highlight_;
   std::optional<TracedOverlay> traced_;
   EyeOverlay traced_kind_ = EyeOverlay::none;
   std::uint64_t traced_of_ = 0;  // analysis revision

@@ -14,11 +14,10 @@
 #include "ui/field_widgets.h"
 #include "ui/numbers_pane.h"
 #include "ui/tile_menu.h"
+#include "ui/workbench_frame.h"
 
 namespace psm {
 namespace {
-
-constexpr int smallest_view = 8;  // pixels; below, nothing can be seen
 
 ImVec2 vec(glm::ivec2 v) { return {float(v.x), float(v.y)}; }
 
@@ -44,26 +43,6 @@ std::vector<std::filesystem::path> shipped_experiments(const std::filesystem::pa
 
 }  // namespace
 
-struct Workbench::Frame {
-  glm::ivec2 size;
-  double scale, now;
-  Layout layout;
-  ViewRects second;  // B's pictures
-  UiContext ui;
-  Experiment edited;
-  std::string tag;
-  bool changed = false;
-
-  ViewSizes view_sizes() const {
-    ViewSizes sizes;
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-      sizes[i] = layout.views[i].size();
-      if (sizes[i].x < smallest_view || sizes[i].y < smallest_view) sizes[i] = glm::ivec2(0);
-    }
-    return sizes;
-  }
-};
-
 Workbench::Workbench(LoadedExperiment loaded, WorkbenchOptions options)
     : options_(std::move(options)),
       settings_(read_settings(options_.settings)),
@@ -72,7 +51,12 @@ Workbench::Workbench(LoadedExperiment loaded, WorkbenchOptions options)
       renderer_(options_.assets, options_.font),
       images_(renderer_),
       comparison_(options_.assets, options_.font),
-      experiments_(shipped_experiments(options_.assets)) {}
+      experiments_(shipped_experiments(options_.assets)),
+      lessons_(options_.lessons, options_.settings.empty() ? "" : options_.settings.parent_path() / "lessons.json") {
+  if (options_.lesson.empty()) return;
+  toggle_lesson_pane();
+  lesson_commands_.push_back({LessonCommand::Kind::open, 0, options_.lesson, 0, 0.0});
+}
 
 Workbench::~Workbench() = default;
 
@@ -91,6 +75,8 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   if (asked.open) open(*asked.open);
   if (asked.action) act(*asked.action);
   take_keys(presses);
+  for (const LessonCommand& command : std::exchange(lesson_commands_, {})) perform(command);
+  show_lesson_experiment(lessons_.update(model_, ImGui::GetTime()));
   model_.set_points_source(settings_.points_from);
   readback_.take(model_, renderer_, profile_);
 
@@ -123,6 +109,7 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   if (!presenting_) splitters(f);
   move_selected_handle(f.layout.view(ViewId::world), f.scale, f.edited, f.tag);
   tiles(f);
+  lesson_pane(f);
   pane_fields(f);
   commit(f);
   pane_header(f);
@@ -153,6 +140,7 @@ void Workbench::splitters(Frame& f) {
     const Color tone = hot ? color(accent_color(settings_.theme)) : color(ground_color(settings_.theme));
     ImGui::GetWindowDrawList()->AddRectFilled(vec(rect.min), vec(rect.max), tone);
   };
+  bar("lesson", f.layout.lesson_splitter, Splitter::lesson, ImGuiMouseCursor_ResizeEW);
   bar("pane", f.layout.pane_splitter, Splitter::pane, ImGuiMouseCursor_ResizeEW);
   bar("column", f.layout.column_splitter, Splitter::column, ImGuiMouseCursor_ResizeEW);
   bar("row", f.layout.row_splitter, Splitter::row, ImGuiMouseCursor_ResizeNS);
@@ -280,6 +268,7 @@ void Workbench::draw_views(Frame& f) {
     draw_probe(f.ui, *probe_, id, f.layout.view(id), images_);
     ImGui::PopClipRect();
   }
+  cover_tiles(f);
 }
 
 int Workbench::update_comparison(const Frame& f, const ViewSettings& shown, bool resting) {
@@ -308,10 +297,11 @@ void Workbench::end_frame(Frame& f) {
   if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown()) model_.end_gesture();
   if (f.changed || requests_.open || requests_.action || dialogs_.settling()) wake();
   if (readback_.waiting() || profile_.waiting()) wake();
-  next_wake_ = std::numeric_limits<double>::infinity();
+  if (!lesson_commands_.empty()) wake();
+  next_wake_ = lessons_.next_look(f.now);
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   if (g.HoveredId != 0 && g.ActiveId == 0 && g.HoveredIdTimer < double(kTooltipDelay))
-    next_wake_ = double(kTooltipDelay) - g.HoveredIdTimer + 0.01;
+    next_wake_ = std::min(next_wake_, double(kTooltipDelay) - g.HoveredIdTimer + 0.01);
   profile_.end_frame();
   settings_ = clamped(settings_);
   if (settings_ == saved_settings_ || ImGui::IsAnyMouseDown()) return;

@@ -16,6 +16,7 @@
 #include "ui/depth_readback.h"
 #include "ui/dialogs.h"
 #include "ui/input_queue.h"
+#include "ui/lesson_panel.h"
 #include "ui/model.h"
 #include "ui/probe_hover.h"
 #include "ui/profile_panel.h"
@@ -30,6 +31,8 @@ struct WorkbenchOptions {
   std::filesystem::path assets, font;
   std::filesystem::path settings;        // empty: neither read nor written
   std::filesystem::path pictures = ".";  // folder of saved pictures
+  std::filesystem::path lessons;         // the shipped ones' folder
+  std::string lesson;                    // to begin with: a name or a folder, "/3" behind it for its third step; empty: none
   std::function<std::optional<InputError>(const std::filesystem::path&, const Image&)> write_picture;
 };
 
@@ -91,6 +94,7 @@ class Workbench {
   const Comparison& comparison() const { return comparison_; }
   const std::optional<Probe>& probe() const { return probe_; }
   const Profile& profile() const { return profile_; }
+  const LessonSession& lessons() const { return lessons_; }
   Dialogs::Kind dialog() const { return dialogs_.shown(); }
   const std::string& message() const { return message_; }
   std::string window_title() const;
@@ -109,6 +113,13 @@ class Workbench {
   void pane_fields(Frame& f);
   void paste();
   void show_opened(const std::string& message);
+  void lesson_pane(Frame& f);
+  void perform(const LessonCommand& command);
+  void show_lesson_experiment(const std::optional<Experiment>& experiment);
+  void toggle_lesson_pane();
+  bool step_lesson(int by);
+  bool arrow_is_free(const KeyPress& press);
+  void cover_tiles(Frame& f);
   void play_camera_shift();
   void move_camera_shift(Frame& f);
   void keep_light_in_place(Experiment& edited) const;
@@ -156,6 +167,10 @@ class Workbench {
   std::optional<PointedAt> pointed_;  // where the mouse is, unless it is busy
   std::optional<Probe> probe_;        // there, or where the experiment has one
   LightControls light_;
+  LessonSession lessons_;
+  LessonPanel lesson_panel_;
+  std::vector<LessonCommand> lesson_commands_;  // for the next frame
+  bool pane_before_lesson_ = true;
   std::optional<ShiftPlay> shift_play_;
   ShiftRule played_rule_ = ShiftRule::automatic;
   Dialogs dialogs_;

@@ -50,6 +50,7 @@ void Workbench::take_keys(const std::vector<KeyPress>& presses) {
       continue;
     }
     if (take_presenting_key(press)) continue;
+    if (!arrow_is_free(press)) continue;
     const bool moves_handle = drag_.selected && (press.key == key::left || press.key == key::right);
     if (const auto action = moves_handle ? std::nullopt : action_of(press)) act(*action);
   }
@@ -126,6 +127,8 @@ void Workbench::act(Action action) {
       return change_compare_layout();
     case Action::save_picture:
       return ask_for_picture();
+    case Action::toggle_lesson:
+      return toggle_lesson_pane();
     case Action::quit:
       return ask_to_quit();
     case Action::copy_state:
@@ -151,7 +154,8 @@ void Workbench::act(Action action) {
 
 void Workbench::ask_to_quit() {
   wake();
-  if (!model_.unsaved())
+  // A lesson's experiments are not the student's work: what is asked about waits behind it.
+  if (lessons_.run() ? !model_.unsaved(lessons_.run()->own()) : !model_.unsaved())
     wants_quit_ = true;
   else if (dialogs_.shown() != Dialogs::Kind::unsaved)
     dialogs_.show(Dialogs::Kind::unsaved);

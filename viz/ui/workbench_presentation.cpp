@@ -33,7 +33,7 @@ bool Workbench::take_presenting_key(const KeyPress& press) {
 }
 
 void Workbench::step_screen(int step) {
-  if (!presenting_) return;
+  if (step_lesson(step) || !presenting_) return;
   Experiment edited = model_.experiment();
   std::vector<std::optional<ViewId>> screens{std::nullopt};
   screens.insert(screens.end(), edited.view.tiles.begin(), edited.view.tiles.end());

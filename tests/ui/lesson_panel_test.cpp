@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A lesson in the window: opened, stepped through, answered, solved, left, and read again when its files change.
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "harness.h"
+
+namespace psm::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+constexpr const char* kJson = R"({
+  "psmlab_lesson": 1, "title": "A small lesson", "summary": "For the test.", "base": {"scene": {"source": "ground"}},
+  "steps": [
+    {"heading": "Ahead", "experiment": {"light": {"type": "directional", "to_light": [0, 1, -0.5]}}, "views": ["world", "cube"],
+     "controls": ["light.theta_deg", "shadow.resolution"], "highlight": ["light"],
+     "questions": [{"kind": "choice", "prompt": "Which?", "choices": ["one", "two"], "answer": 1, "cover": ["cube"],
+                    "why": "So.", "reveal": {"light": {"to_light": [0, 1, 0]}}}]},
+    {"heading": "Behind", "continues": true, "views": ["world"],
+     "animation": {"path": "light.theta_deg", "from": 20, "to": 60, "seconds": 1},
+     "tasks": [{"prompt": "Invert it.", "goal": [{"value": "light_case.post", "is": "inverted_point"}], "hints": ["Turn."],
+                "done": "Well done.", "solution": {"light": {"to_light": [0, 1, 1]}}}]}
+  ]
+})";
+constexpr const char* kText =
+    "# A small lesson\n\n## Ahead\n\nSee [above](set:light.to_light=0,1,-1) where $w$ is `=light_case.w`.\n\n## Behind\n\nTurn "
+    "it.\n";
+
+/// A lessons folder with one lesson, and the window beside it.
+class LessonPanelTest : public ::testing::Test {
+ protected:
+  LessonPanelTest() {
+    fs::create_directories(folder());
+    write(kJson, kText);
+    bench_ = std::make_unique<Bench>("chessboard", std::vector<std::string>{}, glm::ivec2(1152, 720), lessons_.path());
+  }
+  fs::path folder() const { return lessons_.path() / "00_small"; }
+  void write(const std::string& json, const std::string& text) const {
+    std::ofstream(folder() / "lesson.json") << json;
+    std::ofstream(folder() / "text.md") << text;
+  }
+  void open() {
+    bench_->key('L');
+    bench_->click(bench_->at("lesson.open=00_small"));
+  }
+  const LessonRun& run() { return *bench_->work().lessons().run(); }
+  void click(const std::string& place) { bench_->click(bench_->at(place)); }
+
+  ScratchFolder lessons_;
+  std::unique_ptr<Bench> bench_;
+};
+
+TEST_F(LessonPanelTest, OpensFromTheListAndGivesTheStudentsExperimentBack) {
+  const Experiment own = bench_->experiment();
+  open();
+  ASSERT_TRUE(bench_->work().lessons().run());
+  EXPECT_EQ(bench_->experiment().scene.source, "ground");
+  EXPECT_EQ(bench_->experiment().view.tiles, (std::vector<ViewId>{ViewId::world, ViewId::cube}));
+  EXPECT_FALSE(bench_->on_screen("view.eye"));
+  EXPECT_FALSE(bench_->on_screen("pane.fields")) << "the step has its own controls";
+  click("lesson.close");
+  EXPECT_EQ(bench_->experiment(), own);
+  EXPECT_FALSE(bench_->work().lessons().run());
+  EXPECT_TRUE(bench_->on_screen("pane.fields"));
+  bench_->key('Z', {true, false, false});
+  EXPECT_EQ(bench_->experiment().scene.source, "ground") << "leaving can be undone like any edit";
+}
+
+TEST_F(LessonPanelTest, StepsByButtonsAndKeysAndKeepsEachStepsExperiment) {
+  open();
+  bench_->drag(bench_->at("shadow.resolution", 0.3), bench_->at("shadow.resolution", 0.6));
+  const int mine = bench_->experiment().shadow.resolution;
+  EXPECT_NE(mine, 1024);
+  bench_->key(key::page_down);
+  EXPECT_EQ(run().index(), 1u);
+  EXPECT_EQ(bench_->experiment().view.tiles, std::vector<ViewId>{ViewId::world});
+  EXPECT_EQ(bench_->experiment().shadow.resolution, mine) << "this step continues";
+  bench_->key(key::left);
+  EXPECT_EQ(run().index(), 0u);
+  EXPECT_EQ(bench_->experiment().shadow.resolution, mine);
+  bench_->key(key::left);
+  EXPECT_EQ(run().index(), 0u);
+  bench_->key(key::right);
+  bench_->key(key::right);
+  EXPECT_EQ(run().index(), 1u);
+  click("lesson.back");
+  click("lesson.reset_step");
+  EXPECT_EQ(bench_->experiment().shadow.resolution, 1024);
+}
+
+TEST_F(LessonPanelTest, AnAnswerUncoversTheViewAndReveals) {
+  open();
+  EXPECT_TRUE(bench_->on_screen("cover.cube"));
+  const Image covered = bench_->screen();
+  click("lesson.question.0.choice.0");
+  EXPECT_FALSE(bench_->on_screen("cover.cube"));
+  EXPECT_EQ(run().state().questions[0].choice, 0);
+  EXPECT_EQ(bench_->experiment().light.to_light, glm::dvec3(0, 1, 0));
+  EXPECT_GT(differing_pixels(covered, bench_->screen()), 1000u);
+  click("lesson.question.0.choice.1");
+  EXPECT_EQ(run().state().questions[0].choice, 0) << "an answer stands";
+}
+
+TEST_F(LessonPanelTest, ATaskIsSolvedByHandOrShown) {
+  open();
+  bench_->key(key::page_down);
+  click("lesson.task.0.hint");
+  EXPECT_EQ(run().state().tasks[0].hints, 1u);
+  EXPECT_FALSE(run().state().tasks[0].done);
+  click("lesson.task.0.solve");
+  EXPECT_EQ(bench_->experiment().light.to_light, glm::dvec3(0, 1, 1));
+  EXPECT_TRUE(run().state().tasks[0].done);
+  EXPECT_TRUE(run().finished(1));
+  bench_->key('Z', {true, false, false});
+  EXPECT_NE(bench_->experiment().light.to_light, glm::dvec3(0, 1, 1));
+  const auto progress = bench_->folder() / "config" / "lessons.json";
+  EXPECT_TRUE(fs::exists(progress));
+}
+
+TEST_F(LessonPanelTest, ALinkSetsMembersAndPlayMovesTheLight) {
+  open();
+  click("text.link.0");
+  EXPECT_EQ(bench_->experiment().light.to_light, glm::dvec3(0, 1, -1));
+  bench_->key(key::page_down);
+  click("lesson.play");
+  EXPECT_NEAR(bench_->analysis().theta.value_or(0), glm::radians(60.0), 1e-6);
+}
+
+TEST_F(LessonPanelTest, IsReadAgainWhenItsFilesChange) {
+  open();
+  write(kJson, std::string(kText) + "\n## More\n");
+  fs::last_write_time(folder() / "text.md", fs::file_time_type::clock::now() + std::chrono::seconds(5));
+  bench_->pass_time(2.0);
+  bench_->work().wake();
+  bench_->settle();
+  EXPECT_THAT(bench_->work().lessons().error(), HasSubstr("text.md:11: no such step in lesson.json"));
+  EXPECT_EQ(run().step().heading, "Ahead");
+  std::string json = kJson, text = kText;
+  json.replace(json.find("[0, 1, -0.5]"), 12, "[0, 1, -2.0]");
+  write(json, text);
+  fs::last_write_time(folder() / "text.md", fs::file_time_type::clock::now() + std::chrono::seconds(9));
+  bench_->pass_time(2.0);
+  bench_->work().wake();
+  bench_->settle();
+  EXPECT_EQ(bench_->work().lessons().error(), "");
+  EXPECT_EQ(bench_->experiment().light.to_light, glm::dvec3(0, 1, -2)) << "nobody had changed the step's start";
+}
+
+}  // namespace
+}  // namespace psm::test

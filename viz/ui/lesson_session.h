@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lesson that is open in the window: what was asked for becomes experiments to show. No widgets.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "lesson/lesson_run.h"
+#include "lesson/progress_file.h"
+#include "ui/model.h"
+
+namespace psm {
+
+/// What a widget, a key or the command line asks of the lesson.
+struct LessonCommand {
+  enum class Kind {
+    open,          // text: a shipped lesson's name or a folder, "/3" behind it for its third step
+    close,         // the student's own experiment comes back
+    go_to,         // index: of a step
+    reset_step,    // its experiment, answers and tasks
+    reset_lesson,  // all steps
+    set,           // text: a "set:" link
+    choose,        // index: of a question, choice
+    answer,        // index: of a question, number
+    hint,          // index: of a task
+    solve          // index: of a task
+  };
+  Kind kind = Kind::open;
+  std::size_t index = 0;
+  std::string text;
+  int choice = 0;
+  double number = 0.0;
+};
+
+struct LessonEntry {
+  std::filesystem::path folder;
+  std::string name, title, summary;
+};
+
+class LessonSession {
+ public:
+  /// `lessons`: the shipped ones' folder. `progress`: the file of what is finished; empty: none is kept.
+  LessonSession(std::filesystem::path lessons, std::filesystem::path progress);
+
+  /// Returns the experiment to show next, if it is another one.
+  std::optional<Experiment> perform(const LessonCommand& command, const Model& model);
+  /// Once a frame: tasks are checked on a new analysis; files that changed are read again, looked at once a second.
+  std::optional<Experiment> update(const Model& model, double now);
+
+  const std::vector<LessonEntry>& shipped() const { return shipped_; }
+  const ProgressByLesson& progress() const { return progress_; }
+  const LessonRun* run() const { return run_ ? &*run_ : nullptr; }
+  /// The analysis at hand as live values see it.
+  const JsonTree& values() const { return values_.analysis; }
+  /// Grows whenever something that texts show has changed.
+  std::uint64_t revision() const { return revision_; }
+  /// What went wrong last: a file and its line; empty: nothing. The last good version stays open.
+  const std::string& error() const { return error_; }
+  std::vector<ViewId> covered() const;
+  std::vector<Role> highlighted() const;
+  /// Seconds until files are looked at again; infinite without a lesson.
+  double next_look(double now) const;
+
+ private:
+  std::optional<Experiment> open(const std::string& name, const Model& model);
+  std::optional<Experiment> close();
+  std::optional<Experiment> answer(const LessonCommand& command, const Model& model);
+  std::optional<Experiment> over(const ExperimentMembers& members, const Model& model, const std::string& place);
+  std::optional<Experiment> shown(Result<Experiment> experiment);
+  std::optional<Experiment> read_again(const Model& model);
+  void look_at_files();
+  void keep_progress();
+
+  std::filesystem::path lessons_, progress_file_;
+  std::vector<LessonEntry> shipped_;
+  ProgressByLesson progress_;
+  std::optional<LessonRun> run_;
+  LessonState values_;
+  std::uint64_t revision_ = 1, analysis_ = 0;
+  std::string error_;
+  std::vector<std::filesystem::file_time_type> written_;  // of the lesson's two files, when they were read
+  double looked_ = 0.0;
+};
+
+/// The step's views as the experiment's tiles; views that this program does not have are left out.
+void show_views(const std::vector<std::string>& views, ViewSettings& settings);
+
+}  // namespace psm

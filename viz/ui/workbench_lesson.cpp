@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lesson in the window: its pane, its keys, the views that its questions cover.
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "ui/workbench.h"
+#include "ui/workbench_frame.h"
+
+namespace psm {
+
+void Workbench::lesson_pane(Frame& f) {
+  images_.highlight(f.layout.lesson.empty() ? std::vector<Role>() : lessons_.highlighted());
+  if (f.layout.lesson.empty()) return;
+  if (lesson_panel_.play(lessons_, f.now, f.edited)) f.tag = "play lesson", wake();
+  for (LessonCommand& command : lesson_panel_.draw(f.ui, lessons_, f.layout.lesson, f.edited))
+    lesson_commands_.push_back(std::move(command));
+}
+
+void Workbench::perform(const LessonCommand& command) {
+  const bool was_open = lessons_.run() != nullptr;
+  lesson_panel_.stop();
+  const auto next = lessons_.perform(command, model_);
+  show_lesson_experiment(next);
+  if (command.kind == LessonCommand::Kind::open && lessons_.run() && lessons_.error().empty()) lesson_panel_.show_list(false);
+  if (was_open && !lessons_.run()) toggle_lesson_pane();
+}
+
+/// The step's start is what resets go back to while the lesson is open.
+void Workbench::show_lesson_experiment(const std::optional<Experiment>& experiment) {
+  if (!experiment) return;
+  drag_ = {};
+  commit_now(*experiment);
+  if (!lessons_.run()) return model_.set_original(std::nullopt);
+  Experiment start = lessons_.run()->start();
+  show_views(lessons_.run()->step().views, start.view);
+  model_.set_original(start);
+}
+
+/// The lesson has the controls that it needs; the pane of all of them makes room, and comes back.
+void Workbench::toggle_lesson_pane() {
+  LayoutSettings& layout = settings_.layout;
+  layout.lesson_shown = !layout.lesson_shown;
+  if (layout.lesson_shown) {
+    pane_before_lesson_ = std::exchange(layout.pane_shown, false);
+    if (!lessons_.run()) lesson_panel_.show_list(true);
+  } else {
+    layout.pane_shown = pane_before_lesson_;
+  }
+  wake();
+}
+
+/// Whether there is a lesson to step through.
+bool Workbench::step_lesson(int by) {
+  const LessonRun* run = lessons_.run();
+  if (!run || !settings_.layout.lesson_shown || lesson_panel_.lists()) return false;
+  const std::ptrdiff_t to = std::ptrdiff_t(run->index()) + by;
+  if (to >= 0 && to < std::ptrdiff_t(run->lesson().steps.size()))
+    lesson_commands_.push_back({LessonCommand::Kind::go_to, std::size_t(to), "", 0, 0.0});
+  return true;
+}
+
+/// The arrows step through a lesson while nobody uses them for a widget; ImGui, which would now begin to, is told to forget them.
+bool Workbench::arrow_is_free(const KeyPress& press) {
+  if (press.key != key::left && press.key != key::right) return true;
+  if (presenting_ || drag_.selected) return true;
+  if (ImGui::GetIO().NavVisible || ImGui::IsAnyItemActive()) return false;
+  if (!lessons_.run() || !settings_.layout.lesson_shown) return true;
+  ImGui::NavMoveRequestCancel();
+  ImGui::GetCurrentContext()->NavDisableHighlight = true;
+  return true;
+}
+
+/// A plate over what a question asks to predict.
+void Workbench::cover_tiles(Frame& f) {
+  for (const ViewId id : lessons_.covered()) {
+    const Rect& rect = f.layout.view(id);
+    if (rect.empty() || !settings_.layout.lesson_shown) continue;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImVec2 min(float(rect.min.x), float(rect.min.y)), max(float(rect.max.x), float(rect.max.y));
+    list->AddRectFilled(min, max, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    const std::string text = "Predict first: the answer uncovers this view";
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, 0.8f * float(rect.size().x));
+    list->AddText(nullptr, 0.0f, {0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)}, text_color(), text.c_str(),
+                  nullptr, 0.8f * float(rect.size().x));
+    places_["cover." + std::string(name_of(id))] = rect;
+  }
+}
+
+}  // namespace psm
