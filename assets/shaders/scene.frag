@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // With MAY_DISCARD: cutoff textures and the cube view's limit; without, cards test depth before they shade. DEPTH_ONLY: no shading.
 // VERDICT: what the map says, as a number from 0 to 255 in red (MapVerdict: 1 dark, 2 lit, 3 outside the map); the lit fraction in green.
-// LOOKUP: with filters, and with points that are shifted before they are looked up.
+// ONE_MAP: there is no second one. LOOKUP: with filters, and with points that are shifted before they are looked up.
 // Hemisphere light from above and one light with shadows. No fall-off with distance: shadows have to be read, not admired.
 in vec3 v_position;
 in vec3 v_normal;
@@ -119,20 +119,27 @@ float lit_by(mat4 map, vec4 q, float layer, vec3 normal) {
 }
 #endif
 
+// What one map says: 1 where it does not hold the point.
+float lit_in(mat4 map, float layer, vec3 normal) {
+  vec4 q = map * vec4(v_position, 1.0);
+  // A little wider than the map, so that nothing falls between two of six.
+  if (!(q.w > 0.0 && max(abs(q.x), abs(q.y)) <= 1.00001 * q.w)) return 1.0;
+  g_outside_map = false;
+  return lit_by(map, q, layer, normal);
+}
+
 // Lit if all maps that hold the point say so: one map, the one of six that looks its way, or the two of psm_two_maps, of which the
 // second lies wholly between the light and every receiver.
 float shadow_test(vec3 normal) {
-  float lit = 1.0;
   g_outside_map = u_map_count > 0;  // where no map was drawn nothing casts a shadow: that is an answer, too
-  for (int i = 0; i < u_map_count; ++i) {
-    vec4 q = u_map_from_local[i] * vec4(v_position, 1.0);
-    // A little wider than the map, so that nothing falls between two of six.
-    if (q.w > 0.0 && max(abs(q.x), abs(q.y)) <= 1.00001 * q.w) {
-      g_outside_map = false;
-      lit = min(lit, lit_by(u_map_from_local[i], q, float(i), normal));
-    }
-  }
+  if (u_map_count == 0) return 1.0;
+#ifdef ONE_MAP
+  return lit_in(u_map_from_local[0], 0.0, normal);
+#else
+  float lit = 1.0;
+  for (int i = 0; i < u_map_count; ++i) lit = min(lit, lit_in(u_map_from_local[i], float(i), normal));
   return lit;
+#endif
 }
 
 float direct_light(vec3 normal) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A full frame (the shadow map and all four views afresh, without a window) beside bare draws of the same triangles in the same
 // run: the map's, and those of world, cube and eye once each, with the simplest shaders, into framebuffers of the same sizes and
-// samples, cleared and resolved alike. One row a scene; frame and bare draws take turns, medians over the iterations. All times
-// wait until everything is drawn. The renderer is named in the context above the rows.
+// samples, cleared and resolved alike: `ratio`. Beside the frame's own pictures without what is drawn over them, that is with the
+// very same shading: `ratio_shaded`. One row a scene; they take turns, medians over the iterations. All times wait until
+// everything is drawn. The renderer is named in the context above the rows.
 //   frame_bench [--benchmark_filter=chessboard]
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
@@ -120,8 +121,8 @@ double median(std::vector<double> values) {
 }
 
 /// Milliseconds by the wall clock of each part, one entry an iteration.
-using Times = std::array<std::vector<double>, 7>;
-constexpr std::array<const char*, 7> kParts{"map", "world", "cube", "mapview", "eye", "frame", "bare"};
+using Times = std::array<std::vector<double>, 8>;
+constexpr std::array<const char*, 8> kParts{"map", "world", "cube", "mapview", "eye", "frame", "bare", "shaded"};
 
 std::array<ViewPicture, 4> described(const Analysis& analysis, const Scene& scene) {
   std::array<ViewPicture, 4> pictures;
@@ -135,6 +136,18 @@ double frame(Renderer& renderer, const Analysis& analysis, const Scene& scene, c
                renderer.draw_shadow_map(analysis);
                for (ViewId id : kMainViews)
                  renderer.draw_view(describe_view(id, analysis, scene, kSize), analysis, kSize, 1.0, Theme::light);
+             })
+             .wall *
+         1e3;
+}
+
+/// The same with nothing over the scenes: no lines, bodies, symbols, labels.
+double shaded(Renderer& renderer, const Analysis& analysis, std::array<ViewPicture, 4> pictures, const PassTimer& timer) {
+  for (ViewPicture& picture : pictures) picture.list = {}, picture.legend = {}, picture.title.clear();
+  return timer
+             .time([&] {
+               renderer.draw_shadow_map(analysis);
+               for (const ViewPicture& picture : pictures) renderer.draw_view(picture, analysis, kSize, 1.0, Theme::light);
              })
              .wall *
          1e3;
@@ -168,11 +181,13 @@ void four_views(benchmark::State& state, const std::string& id) {
     gl::reset_state();
     times[6].push_back(timer.time([&] { bare.draw(analysis, pictures); }).wall * 1e3);
     gl::reset_state();
+    times[7].push_back(shaded(renderer, analysis, pictures, timer));
     time_parts(renderer, analysis, scene, timer, times);
     state.SetIterationTime(times[5].back() * 1e-3);
   }
   for (std::size_t i = 0; i < kParts.size(); ++i) state.counters[kParts[i]] = median(times[i]);
   state.counters["ratio"] = median(times[5]) / median(times[6]);
+  state.counters["ratio_shaded"] = median(times[5]) / median(times[7]);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "draw/probe.h"
 #include "draw/sketch.h"
+#include "draw/world_to_cube.h"
 #include "math/projective.h"
 
 namespace psm {
@@ -121,7 +122,8 @@ class WorldProbe {
 DrawList cube_probe(const Probe& probe, const Analysis& a) {
   constexpr double clear = 2.5, limit = 3.0, ray_start = -1.7;  // as the cube view's own rays
   Sketch sketch({box(clear).inner, box(limit).outer});
-  const glm::dmat4& cube = a.cube_from_world;
+  const WorldToCube step = world_to_cube(a);
+  const glm::dmat4& cube = step.shown_from_world;
   const glm::dvec4 p = cube * at(probe.receiver.position);
   footprint(sketch, probe, cube);
   const glm::dvec4 first = probe.occluder ? cube * at(*probe.occluder) : p;
@@ -129,7 +131,11 @@ DrawList cube_probe(const Probe& probe, const Analysis& a) {
   if (probe.occluder) sketch.line_through(first, p, kShadowed);
   const glm::dvec3 divided = glm::dvec3(p) / p.w;
   if (!(p.w != 0.0) || !sketch.limits().outer.contains(divided)) return std::move(sketch.list);
-  if (probe.seen) sketch.line(divided, {divided.x, divided.y, ray_start}, kViewRay);
+  if (probe.seen) {
+    const glm::dvec4 in_cube = a.cube_from_world * at(probe.receiver.position);
+    const glm::dvec4 start = step.shown_from_cube * glm::dvec4(glm::dvec2(in_cube) / in_cube.w, ray_start, 1.0);
+    sketch.line(divided, glm::dvec3(start) / start.w, kViewRay);
+  }
   sketch.point(divided, Role::texel_grid, 4.0);
   sketch.label(divided, size_text(probe), Role::texel_grid, 20);
   return std::move(sketch.list);

@@ -10,6 +10,7 @@
 #include "gl/cover_pass.h"
 #include "gl/gl_state.h"
 #include "gl/list_pass.h"
+#include "gl/map_pass.h"
 #include "gl/scene_pass.h"
 #include "gl/shadow_pass.h"
 #include "gl/view_depth.h"
@@ -115,8 +116,8 @@ std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& an
   gl::ViewTarget& target = s.target(picture.id);
   target.resize(size);
   s.multisample.reserve(size);
-  // What the map pass has to read back comes before this picture's framebuffer is bound.
-  if (picture.scene == ScenePicture::map_depth) s.map_pass.prepare(s.shadow_pass);
+  // Into a framebuffer of its own, so before this picture's is bound.
+  if (picture.scene == ScenePicture::map_depth) s.shadow_pass.find_range();
 
   glBindFramebuffer(GL_FRAMEBUFFER, s.multisample.framebuffer());
   glViewport(0, 0, size.x, size.y);

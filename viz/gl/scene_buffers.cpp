@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "scene/closed_mesh.h"
+
 namespace psm::gl {
 namespace {
 
@@ -55,8 +57,7 @@ void append_indices(IndexList& to, const IndexList& from, std::uint32_t base) {
 }
 
 /// Triangles without normals get their own corners, with the normal of the face.
-void append_flat_triangles(Assembly& all, const Mesh& mesh, const glm::dvec3& origin, double unit) {
-  IndexList& list = all.lists[{Primitive::triangles, mesh.material}].indices;
+void append_flat_triangles(Assembly& all, IndexList& list, const Mesh& mesh, const glm::dvec3& origin, double unit) {
   for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
     const std::uint32_t* corner = &mesh.triangles[t];
     const glm::dvec3 a = mesh.positions[corner[0]], b = mesh.positions[corner[1]], c = mesh.positions[corner[2]];
@@ -74,16 +75,22 @@ void append_mesh(Assembly& all, const Mesh& mesh, const glm::dvec3& origin, doub
   const std::uint32_t base = std::uint32_t(all.vertices.size());
   if (!flat || !mesh.lines.empty() || !mesh.points.empty()) {
     for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) all.vertices.push_back(vertex_of(mesh, i, origin, unit));
-    append_indices(all.lists[{Primitive::lines, mesh.material}].indices, mesh.lines, base);
-    append_indices(all.lists[{Primitive::points, mesh.material}].indices, mesh.points, base);
   }
-  Assembly::List& triangles = all.lists[{Primitive::triangles, mesh.material}];
-  const std::size_t first = triangles.indices.size();
-  if (flat)
-    append_flat_triangles(all, mesh, origin, unit);
-  else
-    append_indices(triangles.indices, mesh.triangles, base);
-  triangles.parts.push_back({first, GLsizei(triangles.indices.size() - first), bounds_of(mesh)});
+  const auto append_part = [&](Primitive primitive, const auto& append) {
+    Assembly::List& list = all.lists[{primitive, mesh.material}];
+    const std::size_t first = list.indices.size();
+    append(list.indices);
+    list.parts.push_back({first, GLsizei(list.indices.size() - first), bounds_of(mesh)});
+  };
+  append_part(Primitive::lines, [&](IndexList& to) { append_indices(to, mesh.lines, base); });
+  append_part(Primitive::points, [&](IndexList& to) { append_indices(to, mesh.points, base); });
+  append_part(Primitive::triangles, [&](IndexList& to) {
+    if (flat)
+      append_flat_triangles(all, to, mesh, origin, unit);
+    else
+      append_indices(to, mesh.triangles, base);
+  });
+  all.lists[{Primitive::triangles, mesh.material}].parts.back().closed = is_closed(mesh);
 }
 
 GLint wrap_mode(Wrap wrap) {
@@ -221,8 +228,6 @@ void SceneBuffers::draw_range(Primitive primitive, std::size_t first, GLsizei co
   glDrawElements(mode_of(primitive), count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
-void SceneBuffers::draw(const Batch& batch) const { draw_range(batch.primitive, batch.first, batch.count); }
-
 bool SceneBuffers::any_inside(Primitive primitive, const ConvexBody& body) const {
   return std::any_of(batches_.begin(), batches_.end(), [&](const Batch& batch) {
     return batch.primitive == primitive && std::any_of(batch.parts.begin(), batch.parts.end(),
@@ -230,22 +235,27 @@ bool SceneBuffers::any_inside(Primitive primitive, const ConvexBody& body) const
   });
 }
 
-std::size_t SceneBuffers::draw_inside(const Batch& batch, const ConvexBody& body) const {
+std::size_t SceneBuffers::draw_parts(const Batch& batch, const std::function<bool(std::size_t)>& wanted) const {
   std::size_t drawn = 0, first = 0;
   GLsizei count = 0;
   const auto flush = [&] {
     if (count > 0) draw_range(batch.primitive, first, count);
-    drawn += std::size_t(count) / 3;
+    drawn += std::size_t(count);
     count = 0;
   };
-  for (const Part& part : batch.parts) {
-    if (!reaches(part, body)) continue;
+  for (std::size_t i = 0; i < batch.parts.size(); ++i) {
+    const Part& part = batch.parts[i];
+    if (!wanted(i)) continue;
     if (first + std::size_t(count) != part.first) flush();
     if (count == 0) first = part.first;
     count += part.count;
   }
   flush();
   return drawn;
+}
+
+std::size_t SceneBuffers::draw_inside(const Batch& batch, const ConvexBody& body) const {
+  return draw_parts(batch, [&](std::size_t i) { return reaches(batch.parts[i], body); });
 }
 
 }  // namespace psm::gl

@@ -3,6 +3,7 @@
 // so that scenes far from the origin, huge or tiny, keep all the bits that a float has.
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -18,7 +19,8 @@ enum class Primitive { triangles, lines, points };
 struct Part {
   std::size_t first = 0;  // in indices
   GLsizei count = 0;
-  Bounds bounds;  // world space
+  Bounds bounds;        // world space
+  bool closed = false;  // triangles: see closed_mesh.h
 };
 
 /// All indices of one material and primitive.
@@ -46,10 +48,11 @@ class SceneBuffers {
   void bind() const { glBindVertexArray(array_.get()); }
   /// Sets the material's uniforms of the program in use, and its texture on unit 0.
   void bind_material(const Batch& batch, Program& program) const;
-  void draw(const Batch& batch) const;
   /// Whether any part of this kind reaches into the body.
   bool any_inside(Primitive primitive, const ConvexBody& body) const;
-  /// Only the parts that reach into the body. Returns how many triangles that were.
+  /// Only the parts that `wanted` returns true for, by their index in the batch. Returns how many indices that were.
+  std::size_t draw_parts(const Batch& batch, const std::function<bool(std::size_t)>& wanted) const;
+  /// Only the parts that reach into the body. Returns how many indices that were.
   std::size_t draw_inside(const Batch& batch, const ConvexBody& body) const;
 
  private:

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "draw/texel_overlay.h"
 #include "draw/theme.h"
 #include "gl/gl_state.h"
+#include "gl/viewed_side.h"
 
 namespace psm::gl {
 namespace {
@@ -15,6 +18,7 @@ namespace {
 constexpr double kConeEdge = glm::radians(1.0);  // how soft a spot's edge is, inwards
 constexpr float kPushBack = 1.5f;                // pixels of slope
 constexpr float kPointSize = 4.0f;               // pixels at scale 1, of a mesh's points
+constexpr double kFadeStart = 0.75;              // of the cube's limit, as in scene.frag
 
 /// Of any length but zero, to unit length; what is zero or not finite stays dark.
 glm::vec4 unit_light(const glm::dvec4& light) {
@@ -22,11 +26,6 @@ glm::vec4 unit_light(const glm::dvec4& light) {
   if (!(length > 0.0) || !std::isfinite(length)) return glm::vec4(0.0f);
   return glm::vec4(light / length);
 }
-
-struct MapCorner {
-  glm::vec4 clip;
-  glm::vec2 map;  // 0 to 1 over the picture
-};
 
 /// What is the same for all programs and batches of one picture.
 struct SceneUniforms {
@@ -83,29 +82,72 @@ void use(Program& program, const SceneUniforms& values) {
   program.set("u_map", 1);
 }
 
-/// The batches that need to discard fragments, or those that do not.
-void draw_batches(Program& program, const SceneBuffers& scene, bool only_triangles, bool all_discard, bool discarding) {
-  for (const Batch& batch : scene.batches()) {
-    if (only_triangles && batch.primitive != Primitive::triangles) continue;
-    if ((all_discard || scene.material(batch).alpha_cutoff > 0.0f) != discarding) continue;
-    program.set("u_has_surface", batch.primitive == Primitive::triangles ? 1 : 0);
-    scene.bind_material(batch, program);
-    scene.draw(batch);
+struct ShownBatch {
+  const Batch* batch;
+  std::vector<Shown> parts;
+  double far_end = -1e300;
+};
+
+/// What one side of w = 0 shows, small things in front before the ground behind them, which they hide from being shaded. The
+/// winding flips with the sign.
+struct Side {
+  float sign;
+  GLenum front;
+  std::vector<ShownBatch> batches;
+};
+
+std::vector<Side> sides_of(const glm::dmat4& clip_from_world, const std::optional<CubeLimit>& limit, const SceneBuffers& scene) {
+  const bool clockwise = front_is_clockwise(clip_from_world);
+  std::vector<Side> sides;
+  for (const float sign : {1.0f, -1.0f}) {
+    if (sign < 0.0f && !limit) continue;
+    const ViewedSide viewed(clip_from_world, sign, limit);
+    Side side{sign, GLenum(clockwise == (sign > 0.0f) ? GL_CW : GL_CCW), {}};
+    for (const Batch& batch : scene.batches()) {
+      ShownBatch shown{&batch, {}};
+      for (const Part& part : batch.parts) {
+        shown.parts.push_back(viewed.of(part.bounds));
+        if (shown.parts.back().at_all) shown.far_end = std::max(shown.far_end, viewed.far_end(part.bounds));
+      }
+      side.batches.push_back(std::move(shown));
+    }
+    std::stable_sort(side.batches.begin(), side.batches.end(),
+                     [](const ShownBatch& a, const ShownBatch& b) { return a.far_end < b.far_end; });
+    sides.push_back(std::move(side));
   }
+  return sides;
 }
 
-/// Both sides of w = 0 where the picture is projective; the winding flips with the sign.
-void draw_scene(std::array<Program, 2>& programs, const SceneUniforms& values, const SceneBuffers& scene, bool projective,
-                bool clockwise_front) {
+/// The parts that need to discard fragments, or those that do not; of whole closed surfaces only the triangles that face the
+/// viewer, since they hide the others.
+void draw_batch(Program& program, const SceneBuffers& scene, const Batch& batch, const std::vector<Shown>& shown,
+                bool discarding) {
+  const bool holes = scene.material(batch).alpha_cutoff > 0.0f;
+  program.set("u_has_surface", batch.primitive == Primitive::triangles ? 1 : 0);
+  scene.bind_material(batch, program);
+  for (const bool solid : {false, true}) {
+    solid ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
+    scene.draw_parts(batch, [&](std::size_t i) {
+      const Shown& s = shown[i];
+      return s.at_all && (holes || !s.clear) == discarding && (batch.parts[i].closed && s.uncut && s.clear && !holes) == solid;
+    });
+  }
+  glDisable(GL_CULL_FACE);
+}
+
+void draw_scene(std::array<Program, 2>& programs, const SceneUniforms& values, const SceneBuffers& scene,
+                const std::vector<Side>& sides) {
   scene.bind();
+  glCullFace(GL_BACK);
   for (const bool discarding : {false, true}) {
     Program& program = programs[discarding ? 1 : 0];
     use(program, values);
-    for (const float sign : {1.0f, -1.0f}) {
-      if (sign < 0.0f && !projective) continue;
-      program.set("u_sign", sign);
-      glFrontFace(clockwise_front == (sign > 0.0f) ? GL_CW : GL_CCW);
-      draw_batches(program, scene, values.only_triangles, projective, discarding);
+    for (const Side& side : sides) {
+      program.set("u_sign", side.sign);
+      glFrontFace(side.front);
+      for (const ShownBatch& shown : side.batches)
+        if (!values.only_triangles || shown.batch->primitive == Primitive::triangles)
+          draw_batch(program, scene, *shown.batch, shown.parts, discarding);
     }
   }
 }
@@ -157,7 +199,9 @@ void set_grid(std::array<Program, 2>& programs, int step, Theme theme) {
 
 ScenePass::ScenePass(const std::filesystem::path& shaders)
     : shaders_(shaders),
-      shading_{Program(shaders, "scene", "scene"), Program(shaders, "scene", "scene", "#define MAY_DISCARD\n")},
+      one_map_{Program(shaders, "scene", "scene", "#define ONE_MAP\n"),
+               Program(shaders, "scene", "scene", "#define ONE_MAP\n#define MAY_DISCARD\n")},
+      many_maps_{Program(shaders, "scene", "scene"), Program(shaders, "scene", "scene", "#define MAY_DISCARD\n")},
       depth_{Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n"),
              Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n#define MAY_DISCARD\n")},
       verdicts_{Program(shaders, "scene", "scene", "#define VERDICT\n"),
@@ -197,13 +241,16 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
   const ShadowSettings& shadow = analysis.experiment.shadow;
   map.bind_for_comparison(1, shadow.filter == Filter::hardware);
   glEnable(GL_DEPTH_TEST);
-  const bool clockwise = front_is_clockwise(clip_from_local);
+  std::optional<CubeLimit> limit;
+  if (projective) limit = {picture.cube_from_world, kFadeStart * picture.cube_limit, picture.cube_limit};
+  const std::vector<Side> sides = sides_of(picture.clip_from_world, limit, scene);
   if (heat_scale(picture.overlay)) {
     set_texels(heat_, analysis, scene, scale);
     set_heat(heat_, picture.overlay, analysis, scene);
-    draw_scene(heat_, values, scene, projective, clockwise);
+    draw_scene(heat_, values, scene, sides);
   } else {
-    draw_scene(pair_for(shadow, shading_, lookup_shading_, ""), values, scene, projective, clockwise);
+    Pair& plain = map.layers() > 1 ? many_maps_ : one_map_;
+    draw_scene(pair_for(shadow, plain, lookup_shading_, ""), values, scene, sides);
   }
   if (picture.texel_step > 0) {
     set_texels(grid_, analysis, scene, scale);
@@ -211,7 +258,7 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     enable_blending();
-    draw_scene(grid_, values, scene, projective, clockwise);
+    draw_scene(grid_, values, scene, sides);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
@@ -226,7 +273,7 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kPushBack, 1.0f);
-  draw_scene(depth_, values, scene, projective, clockwise);
+  draw_scene(depth_, values, scene, sides);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
@@ -241,8 +288,8 @@ void ScenePass::draw_verdicts(const Analysis& analysis, const SceneBuffers& scen
   const ShadowSettings& shadow = analysis.experiment.shadow;
   map.bind_for_comparison(1, shadow.filter == Filter::hardware);
   glEnable(GL_DEPTH_TEST);
-  draw_scene(pair_for(shadow, verdicts_, lookup_verdicts_, "#define VERDICT\n"), values, scene, false,
-             front_is_clockwise(clip_from_local));
+  draw_scene(pair_for(shadow, verdicts_, lookup_verdicts_, "#define VERDICT\n"), values, scene,
+             sides_of(analysis.clip_from_world(), std::nullopt, scene));
 }
 
 void ScenePass::draw_surface_points(const Analysis& analysis, const SceneBuffers& scene) {
@@ -253,33 +300,7 @@ void ScenePass::draw_surface_points(const Analysis& analysis, const SceneBuffers
   values.clip_from_local = *clip;
   values.only_triangles = true;
   glEnable(GL_DEPTH_TEST);
-  draw_scene(surface_points_, values, scene, false, front_is_clockwise(clip_from_local));
-}
-
-MapPass::MapPass(const std::filesystem::path& shaders)
-    : program_(shaders, "map_depth", "map_depth"),
-      corners_(sizeof(MapCorner), {{0, 4, offsetof(MapCorner, clip)}, {1, 2, offsetof(MapCorner, map)}}) {}
-
-void MapPass::draw(const ViewPicture& picture, const ShadowPass& map, double scale, Theme theme) {
-  const auto clip = narrow(picture.clip_from_list);
-  if (!clip) return;
-  const glm::vec2 tiles = map.layers() == 6 ? glm::vec2(3.0f, 2.0f) : glm::vec2(std::max(1, map.layers()), 1.0f);
-  const float half_height = tiles.y / tiles.x;
-  const auto corner = [&](float u, float v) {
-    return MapCorner{*clip * glm::vec4(2.0f * u - 1.0f, (2.0f * v - 1.0f) * half_height, 0.0f, 1.0f), {u, v}};
-  };
-  const std::array<MapCorner, 6> corners{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 0), corner(1, 1), corner(0, 1)};
-  program_.use();
-  program_.set("u_map", 0);
-  program_.set("u_depth_range", depth_range_);
-  program_.set("u_tiles", tiles);
-  program_.set("u_empty", map.layers() == 0 ? 1 : 0);
-  program_.set("u_ground", picture_ground(theme));
-  program_.set("u_scale", float(scale));
-  map.bind_for_reading(0);
-  glDisable(GL_DEPTH_TEST);
-  corners_.upload(std::span<const MapCorner>(corners));
-  corners_.draw_triangles();
+  draw_scene(surface_points_, values, scene, sides_of(analysis.clip_from_world(), std::nullopt, scene));
 }
 
 }  // namespace psm::gl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lit scene with shadows from the map, and the map itself as a picture.
+// The lit scene with shadows from the map.
 #pragma once
 
 #include <array>
@@ -37,25 +37,9 @@ class ScenePass {
   Pair& pair_for(const ShadowSettings& shadow, Pair& plain, std::unique_ptr<Pair>& lookup, const char* defines);
 
   std::filesystem::path shaders_;
-  Pair shading_, depth_, verdicts_, heat_, grid_, surface_points_;
+  Pair one_map_, many_maps_;  // a loop over maps costs software renderers much even where there is one
+  Pair depth_, verdicts_, heat_, grid_, surface_points_;
   std::unique_ptr<Pair> lookup_shading_, lookup_verdicts_;
-};
-
-class MapPass {
- public:
-  explicit MapPass(const std::filesystem::path& shaders);
-
-  /// Reads the depths in use back, with a framebuffer of its own; before draw().
-  void prepare(ShadowPass& map) { depth_range_ = map.used_range(); }
-
-  /// ScenePicture::map_depth: layer 0 in the square [-1, 1]^2 of the list's space, or a sheet as wide as the square: two side by
-  /// side, or six in 3 x 2, +x -x +y above -y +z -z. Near is light, far is dark, hatched where no caster is.
-  void draw(const ViewPicture& picture, const ShadowPass& map, double scale, Theme theme);
-
- private:
-  Program program_;
-  VertexStream corners_;
-  glm::vec2 depth_range_{0.0f, 1.0f};
 };
 
 }  // namespace psm::gl

@@ -10,6 +10,8 @@
 namespace psm::gl {
 namespace {
 
+constexpr GLsizei kBlocks = 16;  // along a side, as in the shaders
+constexpr int kProbesAlongSide = 256;
 constexpr float kBiasUnits = 2.0f;  // depth steps, for faces that see the light head on and have no slope
 
 void set_sampler(const Sampler& sampler, GLint compare_mode, GLint filter) {
@@ -45,10 +47,18 @@ int allocate_depth(int resolution, int layers) {
 }  // namespace
 
 ShadowPass::ShadowPass(const std::filesystem::path& shaders)
-    : program_(shaders, "shadow", "shadow"), reduce_(shaders, "fullscreen", "depth_blocks") {
+    : program_(shaders, "shadow", "shadow"),
+      blocks_program_(shaders, "fullscreen", "depth_blocks"),
+      bits_program_(shaders, "fullscreen", "depth_bits") {
   set_sampler(comparison_, GL_COMPARE_REF_TO_TEXTURE, GL_NEAREST);
   set_sampler(weighted_comparison_, GL_COMPARE_REF_TO_TEXTURE, GL_LINEAR);
   set_sampler(reading_, GL_NONE, GL_NEAREST);
+  glBindTexture(GL_TEXTURE_2D, blocks_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32UI, kBlocks, kBlocks, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, blocks_framebuffer_.get());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, blocks_.get(), 0);
 }
 
 void ShadowPass::allocate(int resolution, int layers) {
@@ -75,7 +85,7 @@ void ShadowPass::update(const SceneBuffers& scene, const Analysis& analysis) {
 void ShadowPass::draw(const SceneBuffers& scene, const Analysis& analysis) {
   drawn_ = content_of(scene, analysis);
   ++times_drawn_;
-  used_range_.reset();
+  range_known_ = false;
   maps_from_local_.clear();
   triangles_drawn_ = 0;
   if (drawn_->maps.empty() || !scene.any_inside(Primitive::triangles, analysis.depth_body)) return;
@@ -112,7 +122,7 @@ void ShadowPass::draw_layer(const SceneBuffers& scene, std::size_t layer, const 
     const bool culls = drawn_->cull != Cull::none && !scene.material(batch).double_sided;
     (culls ? glEnable : glDisable)(GL_CULL_FACE);
     scene.bind_material(batch, program_);
-    triangles_drawn_ += scene.draw_inside(batch, casters);
+    triangles_drawn_ += scene.draw_inside(batch, casters) / 3;
   }
 }
 
@@ -128,47 +138,45 @@ void ShadowPass::bind_for_reading(int unit) const {
   glBindSampler(GLuint(unit), reading_.get());
 }
 
-std::vector<glm::vec2> ShadowPass::read_blocks(int layer, int block) {
-  // ES 3.0 reads neither depth nor float textures back, but it reads unsigned integers: the bits of the floats.
-  const int side = (resolution_ + block - 1) / block;
-  Framebuffer framebuffer;
-  Renderbuffer bits;
-  glBindRenderbuffer(GL_RENDERBUFFER, bits.get());
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32UI, side, side);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, bits.get());
-  glViewport(0, 0, side, side);
-  reduce_.use();
-  reduce_.set("u_map", 0);
-  reduce_.set("u_layer", layer);
-  reduce_.set("u_block", block);
+void ShadowPass::find_range() {
+  if (range_known_ || layers() == 0) return;
+  range_known_ = true;
+  glBindFramebuffer(GL_FRAMEBUFFER, blocks_framebuffer_.get());
+  glViewport(0, 0, kBlocks, kBlocks);
+  blocks_program_.use();
+  blocks_program_.set("u_map", 0);
+  // For a stretch of greys: a caster that all these miss is thinner than any that one sees.
+  blocks_program_.set("u_step", std::max(1, resolution_ / kProbesAlongSide));
   bind_for_reading(0);
   glBindVertexArray(no_vertices_.get());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  std::vector<std::uint32_t> texels(std::size_t(side) * std::size_t(side) * 4);
-  glReadPixels(0, 0, side, side, GL_RGBA_INTEGER, GL_UNSIGNED_INT, texels.data());
-  std::vector<glm::vec2> blocks;
-  for (std::size_t i = 0; i < texels.size(); i += 4)
-    blocks.emplace_back(std::bit_cast<float>(texels[i]), std::bit_cast<float>(texels[i + 1]));
-  return blocks;
 }
 
-glm::vec2 ShadowPass::used_range() {
-  if (used_range_) return *used_range_;
-  constexpr int kBlocks = 64;  // along a side: few enough to read back, enough to keep the card busy
-  glm::vec2 range(1.0f, 0.0f);
-  for (int layer = 0; layer < layers(); ++layer) {
-    for (const glm::vec2& block : read_blocks(layer, std::max(2, resolution_ / kBlocks)))
-      range = {std::min(range.x, block.x), std::max(range.y, block.y)};
-  }
-  used_range_ = range.x <= range.y ? range : glm::vec2(0.0f, 1.0f);
-  return *used_range_;
+void ShadowPass::bind_range(int unit) const {
+  glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_2D, blocks_.get());
+  glBindSampler(GLuint(unit), 0);
 }
 
 std::vector<float> ShadowPass::read_depth() {
+  if (layers() == 0) return {};
+  Framebuffer framebuffer;
+  Renderbuffer bits;
+  glBindRenderbuffer(GL_RENDERBUFFER, bits.get());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32UI, resolution_, resolution_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, bits.get());
+  glViewport(0, 0, resolution_, resolution_);
+  bits_program_.use();
+  bits_program_.set("u_map", 0);
+  bind_for_reading(0);
+  glBindVertexArray(no_vertices_.get());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  const std::size_t count = std::size_t(resolution_) * std::size_t(resolution_);
+  std::vector<std::uint32_t> texels(4 * count);
+  glReadPixels(0, 0, resolution_, resolution_, GL_RGBA_INTEGER, GL_UNSIGNED_INT, texels.data());
   std::vector<float> depth;
-  if (layers() == 0) return depth;
-  for (const glm::vec2& texel : read_blocks(0, 1)) depth.push_back(texel.x);
+  for (std::size_t i = 0; i < count; ++i) depth.push_back(std::bit_cast<float>(texels[4 * i]));
   return depth;
 }
 

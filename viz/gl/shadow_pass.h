@@ -41,8 +41,9 @@ class ShadowPass {
   /// For showing: the depths themselves.
   void bind_for_reading(int unit) const;
 
-  /// Smallest and largest depth that any caster wrote; (0, 1) if none did.
-  glm::vec2 used_range();
+  /// Finds which depths casters wrote, with a framebuffer of its own: for map_depth.vert, without reading anything back.
+  void find_range();
+  void bind_range(int unit) const;
   /// Depth of layer 0, rows bottom to top.
   std::vector<float> read_depth();
 
@@ -60,20 +61,17 @@ class ShadowPass {
   static Content content_of(const SceneBuffers& scene, const Analysis& analysis);
   void allocate(int resolution, int layers);
   void draw_layer(const SceneBuffers& scene, std::size_t layer, const ConvexBody& casters);
-  /// The least and the largest depth that is not empty, of each block of block x block texels of a layer; of one texel, its
-  /// depth.
-  std::vector<glm::vec2> read_blocks(int layer, int block);
 
-  Program program_, reduce_;
-  GlTexture depth_;
+  Program program_, blocks_program_, bits_program_;
+  GlTexture depth_, blocks_;
   Sampler comparison_, weighted_comparison_, reading_;
-  Framebuffer framebuffer_;
+  Framebuffer framebuffer_, blocks_framebuffer_;
   VertexArray no_vertices_;
   int resolution_ = 0, allocated_layers_ = 0, asked_resolution_ = 0, times_drawn_ = 0;
   std::optional<Content> drawn_;
   std::vector<glm::mat4> maps_from_local_;
   std::size_t triangles_drawn_ = 0;
-  std::optional<glm::vec2> used_range_;
+  bool range_known_ = false;
 };
 
 }  // namespace psm::gl

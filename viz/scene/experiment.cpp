@@ -210,6 +210,9 @@ void add_view(std::vector<Field>& rows) {
   add_orbit(rows, "view.world", &ViewSettings::world, "scene units");
   add_orbit(rows, "view.cube", &ViewSettings::cube, "half cube sides");
   add_orbit(rows, "view.body", &ViewSettings::body, "scene units");
+  rows.push_back(Row("view.world_to_cube", PSM_REF(NumberRef, view.world_to_cube), "",
+                     "How far the cube view has come on its way from the world, seen by an eye at infinity (0), to the cube (1).")
+                     .within(0, 1));
   rows.push_back(Row("view.map_center", PSM_REF(Vec2Ref, view.map_center), "half map sides",
                      "The point of the shadow map at the middle of its view.")
                      .within(-1e6, 1e6));

@@ -123,6 +123,7 @@ struct ViewSettings {
   std::vector<ViewId> tiles{kMainViews.begin(), kMainViews.end()};  // one to four, none twice
   std::optional<ViewId> maximised;                                  // none: the tiles
   OrbitSettings world, cube, body;
+  double world_to_cube = 1.0;                 // of the cube view: 0 the world, seen from infinity, to 1 the cube
   glm::dvec2 map_center{0.0};                 // map clip space
   double map_zoom = 1.0;                      // 1: the whole map
   EyeOverlay eye_overlay = EyeOverlay::none;  // what the eye view's colours mean

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include <cmath>
+#include "ui/tile_tools.h"
 
 namespace psm {
 namespace {
@@ -50,23 +50,15 @@ const char* display_name(EyeOverlay overlay) {
 
 void eye_tools(UiContext& ui, const Rect& picture, Experiment& experiment) {
   const ImGuiStyle& style = ImGui::GetStyle();
-  const float font = ImGui::GetFontSize(), pad = std::floor(0.25f * font), menu = 8.0f * font;
+  const float menu = 8.0f * ImGui::GetFontSize();
   const float check = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize("Grid").x;
-  const float width = 2.0f * pad + menu + style.ItemSpacing.x + check, height = 2.0f * pad + ImGui::GetFrameHeight();
-  if (float(picture.size().x) < width + 4.0f * font || float(picture.size().y) < 3.0f * height) return;
-  ImGui::SetCursorScreenPos({float(picture.max.x) - width - pad, float(picture.min.y) + pad});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-  ImGui::BeginChild("eye tools", {width, height}, false,
-                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  ImGui::PopStyleVar();
+  if (!begin_tile_tools("eye tools", picture, menu + style.ItemSpacing.x + check)) return;
   overlay_menu(ui, experiment, menu);
   ImGui::SameLine();
   ImGui::Checkbox("Grid", &experiment.view.texel_grid);
   note_place(ui, "tile.texel_grid");
   rest_tooltip("The map's texels on the receivers, in the eye, world and cube view.");
-  ImGui::EndChild();
-  ImGui::PopStyleColor();
+  end_tile_tools();
 }
 
 }  // namespace psm

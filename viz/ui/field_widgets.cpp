@@ -233,7 +233,7 @@ std::optional<SliderRange> slider_range(const Field& field, double size) {
   if (name == "near" || name == "far") return SliderRange{size * 1e-4, size * 1e2, true, false};
   if (name == "resolution") return SliderRange{field.min, field.max, true, true};
   if (name == "depth_bias" || name == "normal_bias") return SliderRange{0.0, 10.0, false, false};
-  if (name == "slope_bias" || name == "radius") return SliderRange{0.0, 1.0, false, false};
+  if (name == "slope_bias" || name == "radius" || name == "world_to_cube") return SliderRange{0.0, 1.0, false, false};
   if (name == "filter_size") return SliderRange{field.min, field.max, false, true, 2.0};
   if (name == "map_zoom") return SliderRange{0.1, 1000.0, true, false};
   return std::nullopt;

@@ -18,6 +18,7 @@ const std::vector<KeyBinding>& key_bindings() {
       {'T', none, Action::technique_next, "T", "next technique"},
       {'T', shift, Action::technique_previous, "Shift+T", "previous technique"},
       {'A', none, Action::play_camera_shift, "A", "play the camera shift of the PSM techniques, from 0"},
+      {'W', none, Action::play_world_to_cube, "W", "cube view: from the cube to the world, or back"},
       {'E', none, Action::eye_overlay_next, "E", "eye view: picture, texel size m, anisotropy, errors, penumbra"},
       {'G', none, Action::toggle_texel_grid, "G", "texel grid on the receivers, on or off"},
       {'X', none, Action::pin_probe, "X", "keep the texel under the mouse shown, or let it go"},

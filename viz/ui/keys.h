@@ -34,6 +34,7 @@ enum class Action {
   technique_next,
   technique_previous,
   play_camera_shift,
+  play_world_to_cube,
   eye_overlay_next,
   toggle_texel_grid,
   pin_probe,

@@ -12,7 +12,7 @@ namespace {
 ViewSettings relevant(ViewId id, const ViewSettings& view) {
   ViewSettings out;
   if (id == ViewId::world) out.world = view.world;
-  if (id == ViewId::cube) out.cube = view.cube;
+  if (id == ViewId::cube) out.cube = view.cube, out.world_to_cube = view.world_to_cube;
   if (id == ViewId::map) out.map_center = view.map_center, out.map_zoom = view.map_zoom;
   if (id == ViewId::eye) out.eye_overlay = view.eye_overlay, out.compare = view.compare, out.compare_layout = view.compare_layout;
   if (id == ViewId::body) out.body = view.body;

@@ -10,6 +10,7 @@
 
 #include "scene/light_angles.h"
 #include "ui/badge_bar.h"
+#include "ui/cube_tools.h"
 #include "ui/eye_tools.h"
 #include "ui/field_widgets.h"
 #include "ui/numbers_pane.h"
@@ -105,7 +106,8 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar(3);
-  move_camera_shift(f);
+  move_camera_shift(f.edited, f.tag, f.now);
+  move_world_to_cube(f.edited, f.tag, f.now);
   if (!presenting_) splitters(f);
   move_selected_handle(f.layout.view(ViewId::world), f.scale, f.edited, f.tag);
   tiles(f);
@@ -146,18 +148,6 @@ void Workbench::splitters(Frame& f) {
   bar("row", f.layout.row_splitter, Splitter::row, ImGuiMouseCursor_ResizeNS);
 }
 
-void Workbench::move_camera_shift(Frame& f) {
-  if (!shift_play_) return;
-  if (f.edited.shadow.camera_shift != shift_play_->last) return shift_play_.reset();
-  constexpr double seconds = 0.6;
-  const double t = settings_.reduced_motion ? 1.0 : std::clamp((f.now - shift_play_->start) / seconds, 0.0, 1.0);
-  const double eased = t < 1.0 ? t * t * (3.0 - 2.0 * t) : 1.0;
-  f.edited.shadow.camera_shift = shift_play_->last = eased * shift_play_->end_shift;
-  f.tag = "play camera shift";
-  wake();
-  if (t == 1.0) shift_play_.reset();
-}
-
 void Workbench::tiles(Frame& f) {
   pointed_.reset();
   if (const std::string tag = second_input(f.ui, f.second, comparison_.images(), drag_, f.edited); !tag.empty()) f.tag = tag;
@@ -170,6 +160,7 @@ void Workbench::tiles(Frame& f) {
   }
   for (ViewId id : kAllViews)
     if (!presenting_) tile_menu(f.ui, id, f.layout.view(id), images_.picture(id).title, f.edited.view);
+  if (!presenting_ && !f.layout.view(ViewId::cube).empty()) cube_tools(f.ui, f.layout.view(ViewId::cube), f.edited);
   if (!presenting_ && !f.layout.view(ViewId::eye).empty()) eye_tools(f.ui, f.layout.view(ViewId::eye), f.edited);
 }
 
@@ -247,7 +238,7 @@ void Workbench::commit(Frame& f) {
 void Workbench::draw_views(Frame& f) {
   const auto start = std::chrono::steady_clock::now();
   const auto sizes = f.view_sizes();
-  const bool resting = !f.changed && !shift_play_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
+  const bool resting = !f.changed && !shift_play_ && !cube_play_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
   if (resting && sizes[std::size_t(ViewId::eye)].x > 0) images_.trace_overlay(model_, profile_);
   // A fit that a hidden view never had is found when the view shows.
   const ViewSettings shown = fitted_.shown(model_, sizes);

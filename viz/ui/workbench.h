@@ -42,6 +42,12 @@ struct ShiftPlay {
   CameraShift last;         // what it set last: anything else means that the user has taken over
 };
 
+/// The cube view on its way to the world or to the cube.
+struct CubePlay {
+  double start, from, to;  // start in seconds
+  double last;
+};
+
 /// How much larger everything is in front of a class, in a window of this size: capitals of a 48th of its height, so that the
 /// last row reads them. `scale`: without a class.
 double presenting_scale(glm::ivec2 window, double scale);
@@ -121,7 +127,11 @@ class Workbench {
   bool arrow_is_free(const KeyPress& press);
   void cover_tiles(Frame& f);
   void play_camera_shift();
-  void move_camera_shift(Frame& f);
+  void play_world_to_cube();
+  /// How far a movement has come, 0 to 1; at once at its end where motion is off.
+  double played(double now, double start, double seconds) const;
+  void move_camera_shift(Experiment& edited, std::string& tag, double now);
+  void move_world_to_cube(Experiment& edited, std::string& tag, double now);
   void keep_light_in_place(Experiment& edited) const;
   void pane_header(Frame& f);
   void pane_numbers(Frame& f);
@@ -172,6 +182,7 @@ class Workbench {
   std::vector<LessonCommand> lesson_commands_;  // for the next frame
   bool pane_before_lesson_ = true;
   std::optional<ShiftPlay> shift_play_;
+  std::optional<CubePlay> cube_play_;
   ShiftRule played_rule_ = ShiftRule::automatic;
   Dialogs dialogs_;
   Requests requests_;

@@ -115,6 +115,8 @@ void Workbench::act(Action action) {
       return change_technique(-1);
     case Action::play_camera_shift:
       return play_camera_shift();
+    case Action::play_world_to_cube:
+      return play_world_to_cube();
     case Action::eye_overlay_next:
       return change_eye_overlay();
     case Action::toggle_texel_grid:
@@ -239,24 +241,6 @@ void Workbench::change_compare_layout() {
   commit_now(edited);
   if (!edited.view.compare)
     message_ = std::string("A and B will be ") + (split ? "side by side" : "split by a line") + " (key B)";
-}
-
-void Workbench::play_camera_shift() {
-  Experiment ruled = model_.experiment();
-  if (!shifts_camera(ruled.shadow.technique)) {
-    message_ = "only PSM, PSM divided and PSM recipe shift the camera";
-    return;
-  }
-  // A shift that has been played, or set by hand, is a number: the rule that was last seen is played again.
-  if (const ShiftRule* rule = std::get_if<ShiftRule>(&ruled.shadow.camera_shift)) played_rule_ = *rule;
-  ruled.shadow.camera_shift = played_rule_;
-  const double shift = analyze(ruled, model_.scene()).camera_shift;
-  if (shift == 0.0) {
-    message_ = std::string("camera shift ") + name_of(played_rule_) + " is 0 here";
-    return;
-  }
-  model_.end_gesture();
-  shift_play_ = ShiftPlay{ImGui::GetTime(), shift, model_.experiment().shadow.camera_shift};
 }
 
 void Workbench::open(const std::string& source) {
