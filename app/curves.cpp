@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/numbers.h"
+#include "scene/curve_csv.h"
 #include "scene/experiment.h"
 
 namespace psm {
@@ -49,15 +50,6 @@ Result<std::vector<Warp>> parse_techniques(const std::optional<std::string>& nam
   return warps;
 }
 
-std::string csv_row(const Curves& curves, double theta_deg, Warp warp) {
-  const CurveRow values = curve_row(curves.range, theta_deg, warp);
-  std::string row;
-  for (const double x : {curves.range.n, curves.range.f, curves.range.phi_deg, theta_deg}) row += csv_number(x) + ",";
-  row += csv_name(warp);
-  for (const CurveColumn& column : kCurveColumns) row += "," + csv_number(values.*column.value);
-  return row + "\n";
-}
-
 }  // namespace
 
 Result<std::vector<double>> parse_theta_deg(const std::string& text) {
@@ -84,15 +76,7 @@ Result<Curves> parse_curves(const CurvesText& text) {
 }
 
 bool write_curves(const Curves& curves, const std::function<bool(const std::string&)>& write) {
-  std::string header = "n,f,phi_deg,theta_deg,technique";
-  for (const CurveColumn& column : kCurveColumns) header += "," + std::string(column.name);
-  if (!write(header + "\n")) return false;
-  for (const double theta_deg : curves.theta_deg) {
-    std::string rows;
-    for (const Warp warp : curves.techniques) rows += csv_row(curves, theta_deg, warp);
-    if (!write(rows)) return false;
-  }
-  return true;
+  return write_curve_rows(curves.range, curves.theta_deg, curves.techniques, write);
 }
 
 }  // namespace psm

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/numbers.h"
 
-#include <cmath>
-#include <cstdio>
-
 namespace psm {
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -16,14 +13,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
     }
   }
   return parts;
-}
-
-std::string csv_number(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
 }
 
 InputError flag_error(const char* flag, const std::string& value, const std::string& allowed) {

@@ -12,9 +12,6 @@ namespace psm {
 /// The parts between separators; "" has one empty part.
 std::vector<std::string> split(const std::string& text, char separator);
 
-/// 17 significant digits; "inf", "-inf", "nan".
-std::string csv_number(double value);
-
 /// "FLAG: 'VALUE' is not allowed; allowed: ...".
 InputError flag_error(const char* flag, const std::string& value, const std::string& allowed);
 

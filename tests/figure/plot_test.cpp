@@ -17,20 +17,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST(Ticks, AreRoundAndInRange) {
-  EXPECT_THAT(plot_ticks(0, 1, false, 6), ElementsAre(0, 0.2, 0.4, ::testing::DoubleNear(0.6, 1e-12), 0.8, 1));
-  EXPECT_THAT(plot_ticks(-3, 98, false, 5), ElementsAre(0, 50));
-  EXPECT_THAT(plot_ticks(0.5, 2000, true, 8), ElementsAre(1, 10, 100, 1000));
-  EXPECT_THAT(plot_ticks(1.5, 12, true, 8), ElementsAre(2, 5, 10));
-  EXPECT_TRUE(plot_ticks(0, 10, true, 5).empty());
-  for (const double high : {1e-9, 0.3, 7.0, 123.0, 1e12})
-    for (const int most : {3, 6, 10}) {
-      const auto ticks = plot_ticks(0, high, false, most);
-      EXPECT_LE(int(ticks.size()), most) << high;
-      EXPECT_GE(ticks.size(), 2u) << high;
-    }
-}
-
 Plot example() {
   Plot plot;
   plot.title = "Errors & <others>";

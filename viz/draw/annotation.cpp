@@ -23,6 +23,20 @@ Mark leader_to(const glm::dvec2& anchor, const Plate& plate, const glm::vec3& co
 
 glm::dvec2 measure(const std::string& text, double, void* text_size) { return (*static_cast<const TextSize*>(text_size))(text); }
 
+/// On a piece of ground, so that they can be read over lines.
+void add_fixed_texts(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size, Annotations& out) {
+  constexpr float kGround = 0.7f;
+  for (const DrawText& text : picture.list.texts) {
+    const glm::dvec4 clip = picture.clip_from_list * text.position;
+    if (!(clip.w > 0.0)) continue;
+    const glm::dvec2 ndc = glm::dvec2(clip) / clip.w, size = text_size(text.text);
+    const glm::dvec2 at(0.5 * (1.0 + ndc.x) * frame.size.x, 0.5 * (1.0 - ndc.y) * frame.size.y);
+    const glm::dvec2 top_left = glm::round(at - text.pivot * size);
+    out.plates.push_back({top_left, size, 2.0 * frame.scale, glm::vec4(picture_ground(frame.theme), kGround), glm::vec4(0.0f)});
+    out.texts.push_back({top_left, size, text.text, picture_label_color(text.role, frame.theme)});
+  }
+}
+
 }  // namespace
 
 Annotations annotate(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size) {
@@ -44,6 +58,7 @@ Annotations annotate(const ViewPicture& picture, const PictureFrame& frame, cons
     if (label.leader) out.leaders.push_back(leader_to(label.anchor, out.plates.back(), color, frame));
     out.texts.push_back({label.top_left, label.size, label.text, color});
   }
+  add_fixed_texts(picture, frame, text_size, out);
   out.plates.insert(out.plates.end(), title.begin(), title.end());
   out.plates.insert(out.plates.end(), legend.begin(), legend.end());
   return out;

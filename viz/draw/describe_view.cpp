@@ -21,10 +21,12 @@ void drop_overflow(DrawList& list) {
   std::erase_if(list.lines, [](const DrawLine& line) { return !drawable(line.a) || !drawable(line.b); });
   std::erase_if(list.fills, [](const DrawFill& fill) { return !drawable(fill); });
   std::erase_if(list.points, [](const DrawPoint& point) { return !drawable(point.position); });
+  std::erase_if(list.texts, [](const DrawText& text) { return !drawable(text.position); });
   std::erase_if(list.labels, [](const DrawLabel& label) { return !drawable(label.anchor); });
 }
 
-ViewPicture describe(ViewId id, const Analysis& analysis, glm::ivec2 size) {
+/// `page`: the size in pixels at scale 1.
+ViewPicture describe(ViewId id, const Analysis& analysis, glm::ivec2 size, const glm::dvec2& page) {
   switch (id) {
     case ViewId::world:
       return describe_world(analysis, size);
@@ -36,6 +38,10 @@ ViewPicture describe(ViewId id, const Analysis& analysis, glm::ivec2 size) {
       return describe_eye(analysis, size);
     case ViewId::body:
       return describe_body(analysis, size);
+    case ViewId::curves:
+      return describe_curves(analysis, page);
+    case ViewId::explorer:
+      return describe_explorer(analysis, page);
   }
   return {};
 }
@@ -51,8 +57,8 @@ std::string map_remark(const Analysis& analysis) {
   return other.empty() || analysis.receivers_body.empty() ? "" : std::string(", ") + name_of(used) + other;
 }
 
-ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene&, glm::ivec2 size) {
-  ViewPicture picture = describe(id, analysis, size);
+ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene&, glm::ivec2 size, double scale) {
+  ViewPicture picture = describe(id, analysis, size, glm::dvec2(glm::max(size, glm::ivec2(1))) / scale);
   add_texel_overlay(picture, analysis, size);
   drop_overflow(picture.list);
   return picture;

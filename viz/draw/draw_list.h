@@ -20,8 +20,18 @@ enum class Role {
   map_window,       // the shadow map's window as a body
   infinity,         // the infinity plane and w = 0
   texel_grid,
-  scene_bounds,  // S
-  neutral,       // axes, cube, grid
+  scene_bounds,    // S
+  light_point,     // lights in front of the camera plane
+  light_inverted,  // lights behind it
+  curve_uniform,   // the techniques in plots; the family has the hue
+  curve_lispsm,
+  curve_lispsm_reference,
+  curve_glpr,
+  curve_gmnpr,
+  curve_gmnpr_eq4,
+  curve_minimax,
+  curve_minimax_frustum,
+  neutral,  // axes, cube, grid
   text
 };
 
@@ -58,11 +68,20 @@ struct DrawLabel {
   int priority = 0;  // higher is placed first
 };
 
+/// Text that stands where it is put, for plots; labels find a place by themselves.
+struct DrawText {
+  glm::dvec4 position;
+  std::string text;
+  Role role = Role::text;
+  glm::dvec2 pivot{0.0};  // which point of its box stands there: 0, 0 the upper left one, 1, 1 the lower right one
+};
+
 struct DrawList {
   std::vector<DrawLine> lines;
   std::vector<DrawFill> fills;
   std::vector<DrawPoint> points;
   std::vector<DrawLabel> labels;
+  std::vector<DrawText> texts;
 };
 
 /// Another drawing of the same space over this one.

@@ -213,6 +213,8 @@ DrawList probe_list(const Probe& probe, ViewId id, const Analysis& analysis, glm
     case ViewId::eye:
       return eye_probe(probe, analysis);
     case ViewId::body:
+    case ViewId::curves:
+    case ViewId::explorer:
       return {};
   }
   return {};

@@ -79,6 +79,7 @@ void append(DrawList& list, DrawList other) {
   std::move(other.fills.begin(), other.fills.end(), std::back_inserter(list.fills));
   std::move(other.points.begin(), other.points.end(), std::back_inserter(list.points));
   std::move(other.labels.begin(), other.labels.end(), std::back_inserter(list.labels));
+  std::move(other.texts.begin(), other.texts.end(), std::back_inserter(list.texts));
 }
 
 void remove(DrawList& list, Role role) {

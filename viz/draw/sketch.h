@@ -88,6 +88,8 @@ ViewPicture describe_cube(const Analysis& analysis, glm::ivec2 size);
 ViewPicture describe_map(const Analysis& analysis, glm::ivec2 size);
 ViewPicture describe_eye(const Analysis& analysis, glm::ivec2 size);
 ViewPicture describe_body(const Analysis& analysis, glm::ivec2 size);
+ViewPicture describe_curves(const Analysis& analysis, const glm::dvec2& page);  // in pixels at scale 1
+ViewPicture describe_explorer(const Analysis& analysis, const glm::dvec2& page);
 
 /// For a view's title: why it is not the map that was asked for, such as ", uniform, not glpr"; "" where it is.
 std::string map_remark(const Analysis& analysis);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "draw/chart.h"
 #include "draw/draw_list.h"
 #include "draw/image.h"
 #include "draw/legend.h"
@@ -39,12 +40,13 @@ struct ViewPicture {
   glm::dvec4 image_rect{-1.0, -1.0, 1.0, 1.0};
   EyeOverlay overlay = EyeOverlay::none;  // a heat map (texel_size, anisotropy) instead of the lit scene
   int texel_step = 0;                     // the texel grid over the scene: a line every so many texels; 0: none
+  std::optional<ChartFrame> chart;        // of a plot: where values stand in the list's space
   std::optional<Image> cover;             // over the scene, spread over image_rect
   Legend legend;
 };
 
-/// Pure. `size` in pixels: its aspect decides the letterbox and the fit.
-ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene& scene, glm::ivec2 size);
+/// Pure. `size` in pixels: its aspect decides the letterbox and the fit. `scale`: of type, for which plots leave room.
+ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene& scene, glm::ivec2 size, double scale = 1.0);
 
 /// The map view's picture with the lit scene instead of the depths: what the light sees, in the map's projection. As it was where
 /// there is no single map.

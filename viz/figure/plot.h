@@ -45,10 +45,6 @@ constexpr int kPlotWidth = 1100, kPlotHeight = 640;
 /// An <svg> element; `standalone`: with what a file of its own needs.
 std::string plot_svg(const Plot& plot, bool standalone);
 
-/// Round numbers within [low, high], at most `most` of them; of a logarithmic axis decades, with 2 and 5 between where there are
-/// few.
-std::vector<double> plot_ticks(double low, double high, bool log, int most);
-
 /// Text for XML and HTML.
 std::string xml_text(const std::string& text);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "draw/plot_axis.h"
 #include "figure/plot.h"
 
 namespace psm {
@@ -21,51 +22,26 @@ std::string coordinate(double value) {
   return text;
 }
 
-std::string tick_text(double value) {
-  char text[32];
-  const double size = std::abs(value);
-  if (size >= 1e6 || (size > 0 && size < 1e-4))
-    std::snprintf(text, sizeof text, "%.0e", value);
-  else
-    std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 std::string color_text(std::uint32_t color) {
   char text[16];
   std::snprintf(text, sizeof text, "#%06X", color & 0xFFFFFFu);
   return text;
 }
 
-/// One axis: values to pixels.
-class Scale {
- public:
-  Scale(const PlotAxis& axis, double low, double high, double from, double to) : log_(axis.log), from_(from), to_(to) {
-    if (!(low <= high)) low = log_ ? 1 : 0, high = log_ ? 10 : 1;
-    const double margin = high > low ? 0.04 : 0.5;
-    if (log_) {
-      const double ratio = high / low > 1.01 ? std::pow(high / low, margin) : 1.5;
-      low_ = low / ratio, high_ = high * ratio;
-    } else {
-      const double extra = high > low ? margin * (high - low) : std::max(0.5, std::abs(low) * margin);
-      low_ = low - extra, high_ = high + extra;
-    }
+/// The axis's range with some room around it, along [from, to].
+PlotScale scale_of(const PlotAxis& axis, double low, double high, double from, double to) {
+  if (!(low <= high)) low = axis.log ? 1 : 0, high = axis.log ? 10 : 1;
+  const double margin = high > low ? 0.04 : 0.5;
+  if (axis.log) {
+    const double ratio = high / low > 1.01 ? std::pow(high / low, margin) : 1.5;
+    return {low / ratio, high * ratio, true, from, to};
   }
-  double at(double value) const {
-    const double t = log_ ? std::log(value / low_) / std::log(high_ / low_) : (value - low_) / (high_ - low_);
-    return from_ + t * (to_ - from_);
-  }
-  bool shows(double value) const { return std::isfinite(value) && (!log_ || value > 0); }
-  double low() const { return low_; }
-  double high() const { return high_; }
-
- private:
-  bool log_;
-  double from_, to_, low_ = 0, high_ = 1;
-};
+  const double extra = high > low ? margin * (high - low) : std::max(0.5, std::abs(low) * margin);
+  return {low - extra, high + extra, false, from, to};
+}
 
 struct Frame {
-  Scale x, y;
+  PlotScale x, y;
   bool shows(const dvec2& p) const { return x.shows(p.x) && y.shows(p.y); }
   dvec2 at(const dvec2& p) const { return {x.at(p.x), y.at(p.y)}; }
 };
@@ -80,7 +56,7 @@ Frame frame_of(const Plot& plot) {
     for (const dvec2& p : curve.points) add(0, p.x, plot.x.log), add(1, p.y, plot.y.log);
   for (const double tick : plot.x.ticks) add(0, tick, plot.x.log);
   for (const PlotLevel& level : plot.levels) add(1, level.y, plot.y.log);
-  return {Scale(plot.x, low[0], high[0], kLeft, kPlotRight), Scale(plot.y, low[1], high[1], kPlotBottom, kTop)};
+  return {scale_of(plot.x, low[0], high[0], kLeft, kPlotRight), scale_of(plot.y, low[1], high[1], kPlotBottom, kTop)};
 }
 
 std::string text_at(double x, double y, const std::string& text, const std::string& attributes) {
@@ -95,20 +71,12 @@ std::string line(const dvec2& a, const dvec2& b, const std::string& attributes) 
 constexpr const char* kGrid = "stroke=\"#DDDDDD\" stroke-width=\"1.5\"";
 constexpr const char* kAxis = "stroke=\"#444444\" stroke-width=\"1.5\"";
 
-std::vector<double> ticks_of(const PlotAxis& axis, const Scale& scale, int most) {
+std::vector<double> ticks_of(const PlotAxis& axis, const PlotScale& scale, int most) {
   return axis.ticks.empty() ? plot_ticks(scale.low(), scale.high(), axis.log, most) : axis.ticks;
 }
 
-/// 2 to 9 between decades, unlabelled.
-std::vector<double> minor_ticks(const PlotAxis& axis, const Scale& scale) {
-  std::vector<double> ticks;
-  if (!axis.log || !axis.ticks.empty() || scale.high() / scale.low() > 1e6) return ticks;
-  for (int e = int(std::floor(std::log10(scale.low()))); e <= int(std::ceil(std::log10(scale.high()))); ++e)
-    for (int digit = 2; digit <= 9; ++digit) {
-      const double tick = digit * std::pow(10.0, e);
-      if (tick > scale.low() && tick < scale.high()) ticks.push_back(tick);
-    }
-  return ticks;
+std::vector<double> minor_ticks_of(const PlotAxis& axis, const PlotScale& scale) {
+  return axis.log && axis.ticks.empty() ? minor_ticks(scale.low(), scale.high()) : std::vector<double>();
 }
 
 std::string axes_svg(const Plot& plot, const Frame& frame) {
@@ -123,9 +91,9 @@ std::string axes_svg(const Plot& plot, const Frame& frame) {
     svg += line({kLeft, y}, {kPlotRight, y}, kGrid);
     svg += text_at(kLeft - 10, y + 0.35 * kType, tick_text(tick), "text-anchor=\"end\"");
   }
-  for (const double tick : minor_ticks(plot.x, frame.x))
+  for (const double tick : minor_ticks_of(plot.x, frame.x))
     svg += line({frame.x.at(tick), kPlotBottom}, {frame.x.at(tick), kPlotBottom - 6}, kAxis);
-  for (const double tick : minor_ticks(plot.y, frame.y))
+  for (const double tick : minor_ticks_of(plot.y, frame.y))
     svg += line({kLeft, frame.y.at(tick)}, {kLeft + 6, frame.y.at(tick)}, kAxis);
   svg += line({kLeft, kPlotBottom}, {kPlotRight, kPlotBottom}, kAxis) + line({kLeft, kTop}, {kLeft, kPlotBottom}, kAxis);
   svg += text_at((kLeft + kPlotRight) / 2, kPlotHeight - 22, plot.x.title, "text-anchor=\"middle\"");
@@ -174,11 +142,12 @@ struct Label {
 };
 
 /// In the order of the curves' ends, at least a line apart, as close to the ends as that allows.
-void spread(std::vector<Label>& labels) {
+void spread_labels(std::vector<Label>& labels) {
   std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
-  for (std::size_t i = 1; i < labels.size(); ++i) labels[i].y = std::max(labels[i].y, labels[i - 1].y + kLineHeight);
-  double limit = kPlotBottom;
-  for (std::size_t i = labels.size(); i-- > 0; limit = labels[i].y - kLineHeight) labels[i].y = std::min(labels[i].y, limit);
+  std::vector<double> places;
+  for (const Label& label : labels) places.push_back(label.y);
+  spread(places, kLineHeight, kPlotBottom);
+  for (std::size_t i = 0; i < labels.size(); ++i) labels[i].y = places[i];
 }
 
 std::string labels_svg(const Plot& plot, const Frame& frame) {
@@ -190,7 +159,7 @@ std::string labels_svg(const Plot& plot, const Frame& frame) {
   }
   for (const PlotLevel& level : plot.levels)
     labels.push_back({level.label, "#222222", {kPlotRight - 7, frame.y.at(level.y)}, frame.y.at(level.y), "2 5"});
-  spread(labels);
+  spread_labels(labels);
   std::string svg;
   for (const Label& label : labels) {
     const dvec2 at{kPlotRight + 40, label.y};

@@ -27,7 +27,10 @@ constexpr std::array kShiftRules{"auto", "in_front", "inside"};
 constexpr std::array kEyeOverlays{"none", "texel_size", "anisotropy", "errors", "penumbra"};
 constexpr std::array kCulls{"none", "front", "back"};
 constexpr std::array kFilters{"none", "hardware", "pcf"};
-constexpr std::array kViews{"world", "cube", "map", "eye", "body"};
+constexpr std::array kCurveKindNames{"lambda",    "log_lambda", "rho", "F_max", "E_max",
+                                     "E_frustum", "storage",    "F_z", "E_z",   "surface"};
+static_assert(kCurveKindNames.size() == kCurveKinds);
+constexpr std::array kViews{"world", "cube", "map", "eye", "body", "curves", "explorer"};
 static_assert(kViews.size() == kAllViews.size());
 
 template <std::size_t N>
@@ -213,6 +216,14 @@ void add_view(std::vector<Field>& rows) {
   rows.push_back(Row("view.world_to_cube", PSM_REF(NumberRef, view.world_to_cube), "",
                      "How far the cube view has come on its way from the world, seen by an eye at infinity (0), to the cube (1).")
                      .within(0, 1));
+  rows.push_back(Row("view.curve", PSM_CHOICE(as_list(kCurveKindNames), view.curve), "",
+                     "What the curves view plots: the warp's strength, its errors F or E, or the storage factor over the light's "
+                     "angle; F or E over depth; or F over both."));
+  rows.push_back(Row("view.curve_range", PSM_CHOICE((std::vector<std::string>{"experiment", "papers"}), view.curve_range), "",
+                     "Whose n, f and phi the curves are for: the experiment's, or the papers' 1, 100 and 30 degrees."));
+  rows.push_back(
+      Row("view.explorer_slice", PSM_CHOICE((std::vector<std::string>{"side", "above"}), view.explorer_slice), "",
+          "The explorer's slice of light positions, through the eye along the view: seen from the side, or from above."));
   rows.push_back(Row("view.map_center", PSM_REF(Vec2Ref, view.map_center), "half map sides",
                      "The point of the shadow map at the middle of its view.")
                      .within(-1e6, 1e6));

@@ -53,10 +53,16 @@ enum class SceneBody { box, hull, automatic };
 enum class EyeOverlay { none, texel_size, anisotropy, errors, penumbra };
 /// How two techniques share a view: a dividing line over one picture, or a picture each.
 enum class CompareLayout { split, side_by_side };
-enum class ViewId { world, cube, map, eye, body };
-inline constexpr std::array kAllViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye, ViewId::body};  // by value
+enum class ViewId { world, cube, map, eye, body, curves, explorer };
+inline constexpr std::array kAllViews{ViewId::world, ViewId::cube,   ViewId::map,     ViewId::eye,
+                                      ViewId::body,  ViewId::curves, ViewId::explorer};         // by value
 inline constexpr std::array kMainViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};  // shown unless asked otherwise
 inline constexpr std::size_t kMostTiles = 4;
+/// What the curves view plots, by the two-dimensional model of viz/math/warp.h: over theta, over depth, or over both.
+enum class CurveKind { lambda, log_lambda, rho, F_max, E_max, E_frustum, storage, F_z, E_z, surface };
+inline constexpr std::size_t kCurveKinds = 10;
+enum class CurveFrustum { experiment, papers };
+enum class ExplorerSlice { side, above };
 
 struct SceneSettings {
   std::string source = "chessboard";
@@ -123,13 +129,16 @@ struct ViewSettings {
   std::vector<ViewId> tiles{kMainViews.begin(), kMainViews.end()};  // one to four, none twice
   std::optional<ViewId> maximised;                                  // none: the tiles
   OrbitSettings world, cube, body;
-  double world_to_cube = 1.0;                 // of the cube view: 0 the world, seen from infinity, to 1 the cube
-  glm::dvec2 map_center{0.0};                 // map clip space
-  double map_zoom = 1.0;                      // 1: the whole map
-  EyeOverlay eye_overlay = EyeOverlay::none;  // what the eye view's colours mean
-  bool texel_grid = false;                    // the map's texels on the receivers, in the eye, world and cube view
-  std::optional<glm::dvec2> probe;            // the pixel of the image whose texel is shown in all views
-  std::optional<Technique> compare;           // a second technique, shown beside the first
+  CurveKind curve = CurveKind::log_lambda;
+  CurveFrustum curve_range = CurveFrustum::experiment;  // whose n, f and phi
+  ExplorerSlice explorer_slice = ExplorerSlice::side;   // of positions: upwards, or to the side
+  double world_to_cube = 1.0;                           // of the cube view: 0 the world, seen from infinity, to 1 the cube
+  glm::dvec2 map_center{0.0};                           // map clip space
+  double map_zoom = 1.0;                                // 1: the whole map
+  EyeOverlay eye_overlay = EyeOverlay::none;            // what the eye view's colours mean
+  bool texel_grid = false;                              // the map's texels on the receivers, in the eye, world and cube view
+  std::optional<glm::dvec2> probe;                      // the pixel of the image whose texel is shown in all views
+  std::optional<Technique> compare;                     // a second technique, shown beside the first
   CompareLayout compare_layout = CompareLayout::split;
   double split = 0.5;  // where the dividing line stands, as a part of the picture's width
   bool operator==(const ViewSettings&) const = default;

@@ -39,6 +39,16 @@ glm::dvec3 to_light_at(const Experiment& e, double theta, const glm::dvec3& side
   return glm::length(e.light.to_light) * (cosine * v + std::sin(theta) * side);
 }
 
+Experiment with_light_at(const Experiment& e, double theta, const glm::dvec3& middle) {
+  Experiment turned = e;
+  const bool is_position = e.light.type != LightType::directional;
+  if (is_position) turned.light.to_light = e.light.position - middle;
+  const glm::dvec3 to_light = to_light_at(turned, theta, theta_side(turned));
+  turned.light = e.light;
+  (is_position ? turned.light.position : turned.light.to_light) = is_position ? middle + to_light : to_light;
+  return turned;
+}
+
 double phi_towards_light(const Experiment& e) {
   const glm::dmat4 view = look_along<double>(e.camera.position, e.camera.target - e.camera.position, e.camera.up);
   const glm::dvec3 l = glm::abs(glm::dvec3(view * glm::dvec4(safe_normalize(e.light.to_light), 0.0)));

@@ -20,6 +20,10 @@ glm::dvec3 theta_side(const Experiment& experiment);
 /// to_light of the same length at this angle in the plane of the view direction and `side`. Exact at pi/2.
 glm::dvec3 to_light_at(const Experiment& experiment, double theta, const glm::dvec3& side);
 
+/// The light at this angle from the view direction, in the plane it is in; a position turns around `middle`, at which its angle
+/// is taken.
+Experiment with_light_at(const Experiment& experiment, double theta, const glm::dvec3& middle);
+
 /// Half opening angle of the frustum in the plane of the view direction and the light (FORMULAS section 1: phi_eff).
 double phi_towards_light(const Experiment& experiment);
 

@@ -6,32 +6,12 @@
 #include "math/psm_variants.h"
 #include "math/warp.h"
 #include "scene/analysis_stages.h"
+#include "scene/curve_quantity.h"
 
 namespace psm {
 namespace {
 
 using glm::dmat4, glm::dvec3, glm::dvec4;
-
-std::optional<Warp> warp_of(Technique t) {
-  switch (t) {
-    case Technique::uniform:
-      return Warp::uniform;
-    case Technique::lispsm:
-      return Warp::lispsm;
-    case Technique::lispsm_reference:
-      return Warp::lispsm_reference;
-    case Technique::glpr:
-      return Warp::glpr;
-    case Technique::gmnpr:
-      return Warp::gmnpr;
-    case Technique::minimax:
-      return Warp::minimax;
-    case Technique::minimax_frustum:
-      return Warp::minimax_frustum;
-    default:
-      return {};
-  }
-}
 
 /// The effective half angle in the view-light plane: exact range of t over the frustum's corners.
 double tan_phi_effective(const ViewFrame& v, const dvec3& to_light) {

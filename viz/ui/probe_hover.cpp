@@ -60,6 +60,8 @@ std::optional<Probe> probe_under(const PointedAt& at, const Model& model, const 
       return probe_from(pick_in_map(at, model, images), model);
     case ViewId::cube:
     case ViewId::body:
+    case ViewId::curves:
+    case ViewId::explorer:
       return std::nullopt;
   }
   return std::nullopt;

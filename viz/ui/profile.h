@@ -26,11 +26,13 @@ enum class Stage {
   view_map,
   view_eye,
   view_body,
+  view_curves,
+  view_explorer,
   compare,
   gain,
   interface
 };
-inline constexpr std::size_t kStages = 13;
+inline constexpr std::size_t kStages = 15;
 
 const char* name_of(Stage stage);
 Stage stage_of(ViewId view);

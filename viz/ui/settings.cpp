@@ -88,8 +88,8 @@ bool write_settings(const Settings& s, const fs::path& file) {
       << (s.theme == Theme::dark ? "dark" : "light") << "\nvisible_points "
       << (s.points_from == PointsSource::depth ? "depth" : "rays") << "\nreduced_motion " << int(s.reduced_motion)
       << "\nhovering " << int(s.hovering) << "\nmatrix_language " << name_of(s.matrix_language) << "\nclip_convention "
-      << name_of(s.clip_convention) << "\nlesson " << s.layout.lesson << "\npane " << s.layout.pane << "\ncolumn " << s.layout.column << "\nrow " << s.layout.row
-      << "\npane_shown " << int(s.layout.pane_shown) << "\n";
+      << name_of(s.clip_convention) << "\nlesson " << s.layout.lesson << "\npane " << s.layout.pane << "\ncolumn "
+      << s.layout.column << "\nrow " << s.layout.row << "\npane_shown " << int(s.layout.pane_shown) << "\n";
   return !write_file_atomically(file, out.str());
 }
 

@@ -51,16 +51,15 @@ void items(UiContext& ui, const std::string& name, ViewId id, ViewSettings& view
 }
 
 /// The mark of a menu, as ImGui's own combo boxes have it.
-void draw_arrow(glm::dvec2 middle, double size, const UiContext& ui) {
+void draw_arrow(glm::dvec2 middle, double size) {
   const auto at = [&](double x, double y) { return ImVec2(float(middle.x + x * size), float(middle.y + y * size)); };
-  ImGui::GetWindowDrawList()->AddTriangleFilled(at(-0.45, -0.25), at(0.45, -0.25), at(0.0, 0.35),
-                                                line_color(Role::text, ui.theme));
+  ImGui::GetWindowDrawList()->AddTriangleFilled(at(-0.45, -0.25), at(0.45, -0.25), at(0.0, 0.35), text_color(0.8));
 }
 
 }  // namespace
 
 const char* display_name(ViewId view) {
-  constexpr const char* names[] = {"World", "Unit cube", "Shadow map", "Eye", "Body H"};
+  constexpr const char* names[] = {"World", "Unit cube", "Shadow map", "Eye", "Body H", "Curves", "Explorer"};
   static_assert(std::size(names) == kAllViews.size());
   return names[std::size_t(view)];
 }
@@ -99,7 +98,7 @@ void tile_menu(UiContext& ui, ViewId id, const Rect& picture, const std::string&
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   const glm::dvec2 arrow(max.x - 0.5 * px - 0.5 * margin, 0.5 * (min.y + max.y));
   list->AddRectFilled({float(arrow.x - 0.5 * px), min.y}, max, color(ground_color(ui.theme), 0.85), float(margin));
-  draw_arrow(arrow, 0.7 * px, ui);
+  draw_arrow(arrow, 0.7 * px);
   if (ImGui::IsItemHovered() || ImGui::IsPopupOpen("views"))
     list->AddRect(min, max, color(accent_color(ui.theme)), float(margin), 0, float(1.5 * s));
   rest_tooltip("Which view stands here.");

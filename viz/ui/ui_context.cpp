@@ -14,6 +14,8 @@ void note_place(UiContext& ui, const std::string& name) {
   ui.places[name] = {{int(min.x), int(min.y)}, {int(max.x), int(max.y)}};
 }
 
+bool mouse_on(const char* name) { return ImGui::GetCurrentContext()->HoveredId == ImGui::GetID(name); }
+
 bool rested_on(const char* name) {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   return g.HoveredId == ImGui::GetID(name) && !ImGui::IsAnyItemActive() && g.HoveredIdTimer >= kTooltipDelay;

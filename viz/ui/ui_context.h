@@ -33,6 +33,9 @@ constexpr float kTooltipDelay = 0.4f;  // seconds
 /// A tooltip for the widget that was submitted last, once the mouse has rested on it.
 void rest_tooltip(const std::string& text);
 
+/// Whether the mouse is on the widget of this name, in the current window.
+bool mouse_on(const char* name);
+
 /// Whether the mouse has rested on the widget of this name, in the current window, for as long as a tooltip takes.
 bool rested_on(const char* name);
 

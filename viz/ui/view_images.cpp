@@ -16,12 +16,14 @@ ViewSettings relevant(ViewId id, const ViewSettings& view) {
   if (id == ViewId::map) out.map_center = view.map_center, out.map_zoom = view.map_zoom;
   if (id == ViewId::eye) out.eye_overlay = view.eye_overlay, out.compare = view.compare, out.compare_layout = view.compare_layout;
   if (id == ViewId::body) out.body = view.body;
+  if (id == ViewId::curves) out.curve = view.curve, out.curve_range = view.curve_range;
+  if (id == ViewId::explorer) out.explorer_slice = view.explorer_slice;
   if (id == ViewId::world || id == ViewId::cube || id == ViewId::eye) out.texel_grid = view.texel_grid;
   return out;
 }
 
 /// Drawn from the analysis alone: neither the scene nor the shadow map is needed.
-bool is_drawing(ViewId id) { return id == ViewId::body; }
+bool is_drawing(ViewId id) { return id == ViewId::body || id == ViewId::curves || id == ViewId::explorer; }
 
 double aspect_of_size(glm::ivec2 size) { return size.x > 0 && size.y > 0 ? double(size.x) / size.y : 1.0; }
 
@@ -100,7 +102,7 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
     if (view.texture != 0 && view.key == key) continue;
     if (!is_drawing(id)) upload(model, profile);
     profile.run(stage_of(id), [&] {
-      view.picture = describe_view(id, analysis_, model.scene(), size);
+      view.picture = describe_view(id, analysis_, model.scene(), size, scale);
       emphasise(view.picture.list, highlight_);
       if (has_rays) show_overlay(view.picture, *traced_);
       if (wants_rays && !has_rays) announce_overlay(view.picture);

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "draw/facet_pick.h"
+#include "ui/curves_tile.h"
+#include "ui/explorer_tile.h"
 #include "ui/navigation.h"
 #include "ui/theme.h"
 
@@ -29,6 +31,8 @@ Mouse mouse_in(const Rect& picture) {
   return {glm::dvec2(io.MousePos.x, io.MousePos.y) - glm::dvec2(picture.min),
           glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / height, io.KeyShift, io.KeyAlt};
 }
+
+bool is_flat(ViewId id) { return id == ViewId::curves || id == ViewId::explorer; }
 
 OrbitSettings& orbit_of(ViewId id, ViewSettings& view) {
   return id == ViewId::world ? view.world : id == ViewId::cube ? view.cube : view.body;
@@ -54,16 +58,35 @@ glm::dvec2 map_point(const ViewImages& images, const Rect& picture, glm::dvec2 p
   return glm::dvec2(p) / p.w;
 }
 
+/// On a plot or the explorer's map the light is wherever the mouse goes down.
+void begin_light_drag(ViewId id, const Rect& picture, const ViewImages& images, const Mouse& mouse, double scale, ViewDrag& drag,
+                      const Experiment& experiment) {
+  const bool grabbed = id == ViewId::curves ? grabs_cursor(images, mouse.pixel, scale)
+                                            : on_explorer_map(images, picture.size(), mouse.pixel, scale);
+  drag = {};
+  if (grabbed) drag.kind = ViewDrag::Kind::light, drag.before = experiment;
+}
+
+void drag_light(ViewId id, const Rect& picture, const ViewImages& images, const Mouse& mouse, double scale, const ViewDrag& drag,
+                Experiment& e) {
+  const double snap = mouse.alt ? 0.0 : snap_pixels;
+  e.light = (id == ViewId::curves ? with_cursor_at(*drag.before, images, mouse.pixel, scale, snap)
+                                  : with_light_under(*drag.before, images, picture.size(), mouse.pixel, scale, snap))
+                .light;
+}
+
 void begin_drag(ViewId id, const Rect& picture, const ViewImages& images, const Mouse& mouse, double scale, ViewDrag& drag,
                 const Experiment& experiment) {
+  if (is_flat(id)) return begin_light_drag(id, picture, images, mouse, scale, drag, experiment);
   const bool middle = ImGui::IsMouseDown(ImGuiMouseButton_Middle);
-  drag = {middle || mouse.shift || id == ViewId::map ? ViewDrag::Kind::pan : ViewDrag::Kind::turn, std::nullopt, std::nullopt};
+  drag = {};
+  drag.kind = middle || mouse.shift || id == ViewId::map ? ViewDrag::Kind::pan : ViewDrag::Kind::turn;
   if (id != ViewId::world || middle) return;
   const auto near =
       picked_handle(handles(images.picture(id), images.analysis().experiment, picture.size()), mouse.pixel, handle_reach * scale);
   if (!near) return;
-  drag = {ViewDrag::Kind::handle, HandleDrag{*near, experiment, camera_now(id, images, picture), picture.size(), mouse.pixel},
-          std::nullopt};
+  drag.kind = ViewDrag::Kind::handle;
+  drag.handle = HandleDrag{*near, experiment, camera_now(id, images, picture), picture.size(), mouse.pixel};
 }
 
 void drag_orbit(ViewId id, const Rect& picture, const ViewImages& images, const Mouse& mouse, ViewDrag::Kind kind,
@@ -74,9 +97,10 @@ void drag_orbit(ViewId id, const Rect& picture, const ViewImages& images, const 
   pan(orbit, camera_now(id, images, picture), mouse.drag);
 }
 
-void apply_drag(ViewId id, const Rect& picture, const ViewImages& images, const Mouse& mouse, const ViewDrag& drag,
+void apply_drag(ViewId id, const Rect& picture, const ViewImages& images, const Mouse& mouse, double scale, const ViewDrag& drag,
                 Experiment& e) {
   if (drag.kind == ViewDrag::Kind::none) return;
+  if (drag.kind == ViewDrag::Kind::light) return drag_light(id, picture, images, mouse, scale, drag, e);
   if (drag.kind == ViewDrag::Kind::handle) {
     const ViewSettings view = e.view;
     e = dragged(*drag.handle, mouse.pixel, mouse.shift, mouse.alt ? 0.0 : snap_pixels);
@@ -94,7 +118,7 @@ void apply_drag(ViewId id, const Rect& picture, const ViewImages& images, const 
 
 std::string wheel(ViewId id, const Rect& picture, const ViewImages& images, const Mouse& mouse, Experiment& e) {
   const double steps = ImGui::GetIO().MouseWheel;
-  if (steps == 0.0) return "";
+  if (steps == 0.0 || is_flat(id)) return "";
   if (id == ViewId::eye) {
     dolly(e.camera, steps);
   } else if (id == ViewId::map) {
@@ -170,7 +194,7 @@ std::string tile_input(UiContext& ui, ViewId id, const Rect& picture, const View
   else if (ImGui::IsItemActivated())
     begin_drag(id, picture, images, mouse, ui.scale, drag, experiment);
   else if (ImGui::IsItemActive())
-    apply_drag(id, picture, images, mouse, drag, experiment);
+    apply_drag(id, picture, images, mouse, ui.scale, drag, experiment);
   if (ImGui::IsItemDeactivated()) drag = {};
   return ImGui::IsItemHovered() ? wheel(id, picture, images, mouse, experiment) : "";
 }
@@ -183,6 +207,7 @@ void draw_tile(UiContext& ui, ViewId id, const Rect& picture, const ViewImages& 
   // The texture's first row is the bottom one.
   list->AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(images.texture(id))), corner, end, {0, 1}, {1, 0});
   if (id == ViewId::world) draw_handles(ui, picture, images, drag);
+  if (id == ViewId::curves && mouse_on(name_of(id))) draw_curve_reading(ui, picture, images);
   const bool solid = id == ViewId::world || id == ViewId::cube || id == ViewId::body;
   if (solid && drag.kind == ViewDrag::Kind::none && rested_on(name_of(id))) draw_facet(ui, id, picture, images);
   list->PopClipRect();

@@ -13,10 +13,11 @@ namespace psm {
 
 /// The drag that is under way in a view, and what keys would move.
 struct ViewDrag {
-  enum class Kind { none, turn, pan, handle };
+  enum class Kind { none, turn, pan, handle, light };
   Kind kind = Kind::none;
   std::optional<HandleDrag> handle;
   std::optional<HandleKind> selected;  // by keyboard
+  std::optional<Experiment> before;    // of a light that is dragged in the curves or in the explorer's map
 };
 
 /// Takes the mouse in this rectangle, with the pictures of the last frame: edits `experiment`. Returns the history tag of a

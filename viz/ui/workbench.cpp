@@ -11,9 +11,12 @@
 #include "scene/light_angles.h"
 #include "ui/badge_bar.h"
 #include "ui/cube_tools.h"
+#include "ui/curves_tile.h"
+#include "ui/explorer_tile.h"
 #include "ui/eye_tools.h"
 #include "ui/field_widgets.h"
 #include "ui/numbers_pane.h"
+#include "ui/quiz_panel.h"
 #include "ui/tile_menu.h"
 #include "ui/workbench_frame.h"
 
@@ -158,10 +161,32 @@ void Workbench::tiles(Frame& f) {
     if (rect.empty() || !ImGui::IsItemHovered() || ImGui::IsAnyMouseDown()) continue;
     pointed_ = PointedAt{id, glm::dvec2(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y) - glm::dvec2(rect.min)};
   }
-  for (ViewId id : kAllViews)
-    if (!presenting_) tile_menu(f.ui, id, f.layout.view(id), images_.picture(id).title, f.edited.view);
-  if (!presenting_ && !f.layout.view(ViewId::cube).empty()) cube_tools(f.ui, f.layout.view(ViewId::cube), f.edited);
-  if (!presenting_ && !f.layout.view(ViewId::eye).empty()) eye_tools(f.ui, f.layout.view(ViewId::eye), f.edited);
+  if (!presenting_) tile_controls(f);
+}
+
+void Workbench::tile_controls(Frame& f) {
+  const auto place = [&](ViewId id) { return f.layout.view(id); };
+  for (ViewId id : kAllViews) tile_menu(f.ui, id, place(id), images_.picture(id).title, f.edited.view);
+  if (!place(ViewId::cube).empty()) cube_tools(f.ui, place(ViewId::cube), f.edited);
+  if (!place(ViewId::eye).empty()) eye_tools(f.ui, place(ViewId::eye), f.edited);
+  if (!place(ViewId::curves).empty() && curve_tools(f.ui, place(ViewId::curves), f.edited)) act(Action::copy_curves);
+  if (place(ViewId::explorer).empty()) return;
+  if (explorer_tools(f.ui, place(ViewId::explorer), f.edited)) act(Action::toggle_quiz);
+  quiz(f);
+}
+
+void Workbench::quiz(Frame& f) {
+  if (!quiz_) return;
+  const QuizClicks clicks = quiz_panel(f.ui, quiz_place(f.layout.view(ViewId::explorer), f.scale), *quiz_);
+  if (clicks.answer) quiz_->answer(*clicks.answer);
+  if (clicks.show) {
+    Experiment shown = model_.experiment();
+    shown.light = quiz_->light();
+    commit_now(shown);
+    f.edited = model_.experiment();
+  }
+  if (clicks.next) quiz_->next(model_.experiment(), model_.scene());
+  if (clicks.close) quiz_.reset();
 }
 
 void Workbench::find_probe() {

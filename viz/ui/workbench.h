@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gl/renderer.h"
+#include "scene/light_quiz.h"
 #include "ui/comparison.h"
 #include "ui/control_pane.h"
 #include "ui/depth_readback.h"
@@ -99,6 +100,7 @@ class Workbench {
   const ViewImages& images() const { return images_; }
   const Comparison& comparison() const { return comparison_; }
   const std::optional<Probe>& probe() const { return probe_; }
+  const std::optional<LightQuiz>& quiz() const { return quiz_; }
   const Profile& profile() const { return profile_; }
   const LessonSession& lessons() const { return lessons_; }
   Dialogs::Kind dialog() const { return dialogs_.shown(); }
@@ -116,6 +118,8 @@ class Workbench {
   void draw_black(glm::ivec2 size) const;
   void splitters(Frame& f);
   void tiles(Frame& f);
+  void tile_controls(Frame& f);
+  void quiz(Frame& f);
   void pane_fields(Frame& f);
   void paste();
   void show_opened(const std::string& message);
@@ -149,6 +153,8 @@ class Workbench {
   void change_technique(int step);
   void change_eye_overlay();
   void toggle_texel_grid();
+  void toggle_quiz();
+  void copy_curves();
   void pin_probe();
   void toggle_comparison();
   void change_compare_layout();
@@ -176,6 +182,7 @@ class Workbench {
   bool world_shown_ = true;           // in the last frame
   std::optional<PointedAt> pointed_;  // where the mouse is, unless it is busy
   std::optional<Probe> probe_;        // there, or where the experiment has one
+  std::optional<LightQuiz> quiz_;     // open beside the explorer's map
   LightControls light_;
   LessonSession lessons_;
   LessonPanel lesson_panel_;

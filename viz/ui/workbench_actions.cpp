@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <random>
 
+#include "draw/curves_view.h"
+#include "scene/curve_csv.h"
 #include "scene/matrix_text.h"
 #include "scene/share_text.h"
 #include "ui/workbench.h"
@@ -28,6 +31,10 @@ std::optional<ViewId> view_of(Action action) {
       return ViewId::eye;
     case Action::maximise_body:
       return ViewId::body;
+    case Action::maximise_curves:
+      return ViewId::curves;
+    case Action::maximise_explorer:
+      return ViewId::explorer;
     default:
       return std::nullopt;
   }
@@ -127,6 +134,10 @@ void Workbench::act(Action action) {
       return toggle_comparison();
     case Action::compare_layout:
       return change_compare_layout();
+    case Action::toggle_quiz:
+      return toggle_quiz();
+    case Action::copy_curves:
+      return copy_curves();
     case Action::save_picture:
       return ask_for_picture();
     case Action::toggle_lesson:
@@ -212,6 +223,23 @@ void Workbench::toggle_texel_grid() {
   Experiment edited = model_.experiment();
   edited.view.texel_grid = !edited.view.texel_grid;
   commit_now(edited);
+}
+
+/// Opens the explorer with it where that is hidden.
+void Workbench::toggle_quiz() {
+  if (quiz_) return quiz_.reset();
+  const ViewSettings& view = model_.experiment().view;
+  const bool shown = view.maximised ? *view.maximised == ViewId::explorer
+                                    : std::find(view.tiles.begin(), view.tiles.end(), ViewId::explorer) != view.tiles.end();
+  if (!shown) maximise(ViewId::explorer);
+  quiz_.emplace(std::random_device()());
+  quiz_->next(model_.experiment(), model_.scene());
+}
+
+void Workbench::copy_curves() {
+  const CurveKind kind = model_.experiment().view.curve;
+  ImGui::SetClipboardText(curve_csv(kind, curve_setting(model_.analysis())).c_str());
+  message_ = std::string("copied as CSV: ") + display_name(kind);
 }
 
 void Workbench::pin_probe() {
