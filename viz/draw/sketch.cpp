@@ -88,6 +88,7 @@ void remove(DrawList& list, Role role) {
   std::erase_if(list.fills, has_role);
   std::erase_if(list.points, has_role);
   std::erase_if(list.labels, has_role);
+  std::erase_if(list.texts, has_role);
 }
 
 std::vector<std::array<int, 2>> body_edges(const ConvexBody& body) {
