@@ -52,8 +52,9 @@ TEST_F(Run, EachStepBeginsWithItsExperimentAndComesBackAsItWasLeft) {
 
 TEST_F(Run, AStepReachedFromElsewhereBeginsWithTheLessonsOwnExperiments) {
   LessonRun run(good_lesson(), Experiment{});
-  EXPECT_EQ(run.go_to(1, Experiment{})->light.to_light, glm::dvec3(0, 1, -0.5));
-  EXPECT_EQ(run.go_to(99, Experiment{})->scene.source, "ground");
+  const Experiment shown = *run.go_to(1, Experiment{});
+  EXPECT_EQ(shown.light.to_light, glm::dvec3(0, 1, -0.5));
+  EXPECT_EQ(run.go_to(99, shown)->scene.source, "ground") << "the last step";
   EXPECT_EQ(run.index(), 1u);
 }
 

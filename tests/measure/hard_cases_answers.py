@@ -77,7 +77,7 @@ say(9, 'f = 1e8, theta = 90 deg', 'lambda of GMNPR', gmnpr(pi / 2, mpf(10) ** 8)
 for shift in (5, 20):
     lam = mpf(n + shift) / (f - n)
     say(31, f'shift by {shift}, theta = 90 deg', 'F_max', max(E(n, lam, pi / 2), E(f, lam, pi / 2)))
-for shift, name in ((0, '0 (PSM)'), (5, '5'), (9, '9 (LiSPSM)')):
+for shift, name in ((0, '0 (PSM)'), (5, '5'), (10, '10 (LiSPSM)')):
     say(32, f'shift by {name}, theta = 90 deg', 'storage factor, (f - n) / (n tan phi)', (f - n) / (n * tan(phi)))
 say(37, 'z0 = -1, z1 = 100', 'rho of LiSPSM with z0 held at the near distance 0.1', sqrt(mpf(0.1) / 100))
 for name in ('tan(phi_eff) / tan(phi)', 'the same in an analysis'):

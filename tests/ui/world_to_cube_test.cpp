@@ -32,8 +32,9 @@ TEST(WorldToCubeTool, KeyWPlaysToTheWorldAndBack) {
     EXPECT_GT(steps, 20) << "gradually";
     EXPECT_EQ(bench.experiment().view.world_to_cube, end);
     bench.settle();
+    EXPECT_EQ(bench.work().model().history().undo_count(), end == 0.0 ? 1u : 0u)
+        << "there and back at once leaves nothing to undo";
   }
-  EXPECT_EQ(bench.work().model().history().undo_count(), 2u);
 }
 
 TEST(WorldToCubeTool, UndoOnTheWayStopsIt) {

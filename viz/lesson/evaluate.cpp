@@ -61,7 +61,8 @@ struct Evaluate {
 bool same(const Scalar& a, const Scalar& b) {
   const double *x = std::get_if<double>(&a), *y = std::get_if<double>(&b);
   if (!x || !y) return a == b;
-  return *x == *y || std::abs(*x - *y) <= 1e-9 * std::max(std::abs(*x), std::abs(*y));
+  if (*x == *y || std::isinf(*x) || std::isinf(*y)) return *x == *y;
+  return std::abs(*x - *y) <= 1e-9 * std::max(std::abs(*x), std::abs(*y));
 }
 
 Scalar with_infinities(const Scalar& scalar) {

@@ -173,9 +173,9 @@ void add_shifts(Rows& rows) {
                   using T = decltype(t);
                   return error_at(model_at<T>(90), T(1 + shift) / T(100 + shift)).F_max;
                 });
-  for (const int shift : {0, 5, 9}) {
+  for (const int shift : {0, 5, 10}) {
     const char* names[] = {"shift by 0 (PSM), theta = 90 deg", "shift by 5, theta = 90 deg",
-                           "shift by 9 (LiSPSM), theta = 90 deg"};
+                           "shift by 10 (LiSPSM), theta = 90 deg"};
     rows.equals(32,
                 names[shift == 0   ? 0
                       : shift == 5 ? 1

@@ -128,7 +128,7 @@ class Workbench {
   void show_lesson_experiment(const std::optional<Experiment>& experiment);
   void toggle_lesson_pane();
   bool step_lesson(int by);
-  bool arrow_is_free(const KeyPress& press);
+  bool key_is_free(const KeyPress& press);
   void cover_tiles(Frame& f);
   void play_camera_shift();
   void play_world_to_cube();

@@ -57,7 +57,7 @@ void Workbench::take_keys(const std::vector<KeyPress>& presses) {
       continue;
     }
     if (take_presenting_key(press)) continue;
-    if (!arrow_is_free(press)) continue;
+    if (!key_is_free(press)) continue;
     const bool moves_handle = drag_.selected && (press.key == key::left || press.key == key::right);
     if (const auto action = moves_handle ? std::nullopt : action_of(press)) act(*action);
   }

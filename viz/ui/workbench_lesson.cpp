@@ -59,14 +59,18 @@ bool Workbench::step_lesson(int by) {
   return true;
 }
 
-/// The arrows step through a lesson while nobody uses them for a widget; ImGui, which would now begin to, is told to forget them.
-bool Workbench::arrow_is_free(const KeyPress& press) {
-  if (press.key != key::left && press.key != key::right) return true;
-  if (presenting_ || drag_.selected) return true;
-  if (ImGui::GetIO().NavVisible || ImGui::IsAnyItemActive()) return false;
+/// Arrows and page keys step through a lesson, the arrows while nobody uses them for a widget; ImGui, which would now begin to
+/// use them, is told to forget them.
+bool Workbench::key_is_free(const KeyPress& press) {
+  const bool arrow = press.key == key::left || press.key == key::right;
+  const bool page = press.key == key::page_down || press.key == key::page_up;
+  if ((!arrow && !page) || drag_.selected) return true;
+  if (arrow && !presenting_ && (ImGui::GetIO().NavVisible || ImGui::IsAnyItemActive())) return false;
   if (!lessons_.run() || !settings_.layout.lesson_shown) return true;
   ImGui::NavMoveRequestCancel();
   ImGui::GetCurrentContext()->NavDisableHighlight = true;
+  ImGui::GetCurrentContext()->NavId = 0;
+  ImGui::GetCurrentContext()->NavInitRequest = false;
   return true;
 }
 
