@@ -98,6 +98,16 @@ std::vector<std::string> include_faults(const std::string& path, const std::stri
   return faults;
 }
 
+/// The types that a header defines outside of others.
+std::vector<std::string> types_of(const std::string& text) {
+  static const std::regex definition("(?:struct|class|enum class) ([A-Za-z0-9]+)(?: final)? ?(?:\\{|:[^:]).*");
+  std::vector<std::string> types;
+  std::smatch match;
+  for (const std::string& line : lines_of(text))
+    if (std::regex_match(line, match, definition)) types.push_back(match[1]);
+  return types;
+}
+
 /// The first line holds the licence, but for scripts and shaders, which must begin with something else.
 std::vector<std::string> licence_faults(const std::string& path, const std::string& text) {
   const std::vector<std::string> lines = lines_of(text);
@@ -151,6 +161,18 @@ TEST(Layers, EverySourceFileNamesItsLicence) {
     for (const std::string& fault : licence_faults(path, text)) ADD_FAILURE() << fault;
 }
 
+// Two definitions of one name link without a word, and share the constructors and containers of either.
+TEST(Layers, NoTwoHeadersDefineTheSameType) {
+  std::map<std::string, std::string> first;
+  for (const auto& [path, text] : sources({"viz", "app"})) {
+    if (fs::path(path).extension() != ".h") continue;
+    for (const std::string& type : types_of(text))
+      if (const auto [place, added] = first.emplace(type, path); !added)
+        ADD_FAILURE() << type << ": " << place->second << ", " << path;
+  }
+  EXPECT_GT(first.size(), 100u);
+}
+
 // ---- the rules themselves ---------------------------------------------------------------------------------------------
 
 TEST(LayerRules, NameFileAndLineOfAWrongArrow) {
@@ -197,6 +219,11 @@ TEST(LayerRules, KeepLibrariesInTheirRooms) {
   EXPECT_EQ(faults("viz/measure/ray_tracer.h", "embree3/rtcore.h"), 1u);
   EXPECT_EQ(faults("viz/measure/wide.h", "boost/multiprecision/cpp_int.hpp"), 1u);
   EXPECT_EQ(faults("viz/measure/wide.cpp", "boost/multiprecision/cpp_int.hpp"), 0u);
+}
+
+TEST(LayerRules, FindTheTypesOfAHeader) {
+  EXPECT_THAT(types_of("struct A {\nstruct B;\nclass C : public A {\nstruct C::D {\n  struct E {\nenum class F { g };\n"),
+              ElementsAre("A", "C", "F"));
 }
 
 TEST(LayerRules, WantTheLicenceFirst) {

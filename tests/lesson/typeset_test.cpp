@@ -35,15 +35,15 @@ TextPage set(const std::string& markdown, double width) {
   return typeset(*blocks, {width, kSize, 1.4}, metrics(), [](const std::string& path) { return "<" + path + ">"; });
 }
 
-TextBox formula(const std::string& tex, bool display = false) {
+TypesetBox formula(const std::string& tex, bool display = false) {
   const auto parsed = parse_formula(tex);
   EXPECT_TRUE(parsed);
-  TextBox line;
-  for (const TextBox& box : formula_boxes(*parsed, kSize, display, Ink::text, metrics())) line.place(box, {line.width, 0.0});
+  TypesetBox line;
+  for (const TypesetBox& box : formula_boxes(*parsed, kSize, display, Ink::text, metrics())) line.place(box, {line.width, 0.0});
   return line;
 }
 
-const GlyphRun& run_of(const TextBox& box, const std::string& text) {
+const GlyphRun& run_of(const TypesetBox& box, const std::string& text) {
   for (const GlyphRun& run : box.runs)
     if (run.text == text) return run;
   ADD_FAILURE() << text << " is not set";
@@ -101,7 +101,7 @@ TEST(Text, ALinkIsOneAreaForEachOfItsLines) {
 }
 
 TEST(AFormula, SetsScriptsSmallerAboveAndBelow) {
-  const TextBox box = formula("x_i^{2^k}");
+  const TypesetBox box = formula("x_i^{2^k}");
   const GlyphRun &base = run_of(box, "x"), &below = run_of(box, "i"), &above = run_of(box, "2"), &higher = run_of(box, "k");
   EXPECT_EQ(base.type.size, kSize);
   EXPECT_DOUBLE_EQ(below.type.size, 0.7 * kSize);
@@ -113,7 +113,7 @@ TEST(AFormula, SetsScriptsSmallerAboveAndBelow) {
 }
 
 TEST(AFormula, PutsAFractionAroundItsBar) {
-  const TextBox box = formula("\\frac{n + f}{g}", true);
+  const TypesetBox box = formula("\\frac{n + f}{g}", true);
   ASSERT_EQ(box.rules.size(), 1u);
   const Rule& bar = box.rules[0];
   const double thickness = bar.max.y - bar.min.y;
@@ -125,7 +125,7 @@ TEST(AFormula, PutsAFractionAroundItsBar) {
 }
 
 TEST(AFormula, CoversWhatIsUnderARoot) {
-  const TextBox box = formula("\\sqrt{n f}");
+  const TypesetBox box = formula("\\sqrt{n f}");
   ASSERT_EQ(box.rules.size(), 1u);
   ASSERT_EQ(box.strokes.size(), 1u);
   EXPECT_LT(box.rules[0].min.x, run_of(box, "n").baseline.x);
@@ -135,7 +135,7 @@ TEST(AFormula, CoversWhatIsUnderARoot) {
 
 TEST(AFormula, GrowsItsFencesWithTheirContent) {
   EXPECT_TRUE(formula("\\left( x \\right)").strokes.empty());
-  const TextBox tall = formula("\\left( \\frac{a}{b} \\right)", true);
+  const TypesetBox tall = formula("\\left( \\frac{a}{b} \\right)", true);
   ASSERT_EQ(tall.strokes.size(), 2u);
   EXPECT_GE(-tall.strokes[0].points.front().y, -run_of(tall, "a").baseline.y);
 }

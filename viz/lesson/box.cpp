@@ -5,7 +5,7 @@
 
 namespace psm {
 
-void TextBox::place(const TextBox& part, glm::dvec2 offset) {
+void TypesetBox::place(const TypesetBox& part, glm::dvec2 offset) {
   for (GlyphRun run : part.runs) run.baseline += offset, runs.push_back(std::move(run));
   for (Rule rule : part.rules) rule.min += offset, rule.max += offset, rules.push_back(rule);
   for (TextStroke stroke : part.strokes) {
@@ -17,8 +17,8 @@ void TextBox::place(const TextBox& part, glm::dvec2 offset) {
   descent = std::max(descent, part.descent + offset.y);
 }
 
-TextBox text_box(const std::string& text, const Type& type, Ink ink, const FontMetrics& metrics) {
-  TextBox box;
+TypesetBox text_box(const std::string& text, const Type& type, Ink ink, const FontMetrics& metrics) {
+  TypesetBox box;
   const Reach reach = metrics.reach(text, type);
   box.width = metrics.width(text, type), box.ascent = reach.above, box.descent = reach.below;
   box.runs.push_back({text, type, glm::dvec2(0.0), ink});

@@ -38,14 +38,14 @@ struct TextStroke {
 };
 
 /// The origin is the left end of the baseline.
-struct TextBox {
+struct TypesetBox {
   double width = 0.0, ascent = 0.0, descent = 0.0;
   std::vector<GlyphRun> runs;
   std::vector<Rule> rules;
   std::vector<TextStroke> strokes;
 
   /// Draws `part` here and grows around it; `width` grows to its right end.
-  void place(const TextBox& part, glm::dvec2 offset);
+  void place(const TypesetBox& part, glm::dvec2 offset);
 };
 
 /// How far a text's ink reaches above and below the baseline.
@@ -62,6 +62,6 @@ struct FontMetrics {
 /// DejaVu: an em is the design size, the unit of typographic spaces.
 constexpr double em_of(double size) { return size / 1.164; }
 
-TextBox text_box(const std::string& text, const Type& type, Ink ink, const FontMetrics& metrics);
+TypesetBox text_box(const std::string& text, const Type& type, Ink ink, const FontMetrics& metrics);
 
 }  // namespace psm

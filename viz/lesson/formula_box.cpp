@@ -16,14 +16,14 @@ class Setter {
   Setter(double size, bool display, Ink ink, const FontMetrics& metrics)
       : base_size_(size), display_(display), ink_(ink), metrics_(metrics) {}
 
-  std::vector<TextBox> pieces(const Formula& formula) {
-    std::vector<TextBox> out(1);
+  std::vector<TypesetBox> pieces(const Formula& formula) {
+    std::vector<TypesetBox> out(1);
     const std::vector<Formula> single{formula};
     const std::vector<Formula>& parts = formula.kind == Kind::row ? formula.parts : single;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      TextBox& line = out.back();
+      TypesetBox& line = out.back();
       const double space = i == 0 ? 0.0 : space_between(parts[i - 1], parts[i], i >= 2 ? &parts[i - 2] : nullptr);
-      const TextBox part = set(parts[i]);
+      const TypesetBox part = set(parts[i]);
       if (i > 0 && parts[i - 1].role == Role::relation) {
         line.width += space;
         out.emplace_back();
@@ -61,14 +61,14 @@ class Setter {
     return 0.0;
   }
 
-  TextBox set(const Formula& f) {
+  TypesetBox set(const Formula& f) {
     switch (f.kind) {
       case Kind::row:
         return row(f);
       case Kind::symbol:
         return text_box(f.text, {f.bold ? Face::bold : Face::regular, f.italic, size()}, ink_, metrics_);
       case Kind::space: {
-        TextBox box;
+        TypesetBox box;
         box.width = f.width * em();
         return box;
       }
@@ -87,8 +87,8 @@ class Setter {
     return {};
   }
 
-  TextBox row(const Formula& f) {
-    TextBox line;
+  TypesetBox row(const Formula& f) {
+    TypesetBox line;
     for (std::size_t i = 0; i < f.parts.size(); ++i) {
       const double space = i == 0 ? 0.0 : space_between(f.parts[i - 1], f.parts[i], i >= 2 ? &f.parts[i - 2] : nullptr);
       line.place(set(f.parts[i]), {line.width + space, 0.0});
@@ -96,16 +96,16 @@ class Setter {
     return line;
   }
 
-  TextBox fraction(const Formula& f) {
+  TypesetBox fraction(const Formula& f) {
     const double outer_shrink = shrink_;
     const bool outer_display = display_;
     if (!display_ && level_ == 0) shrink_ = 0.8;
     display_ = false;
-    const TextBox over = set(f.parts[0]), under = set(f.parts[1]);
+    const TypesetBox over = set(f.parts[0]), under = set(f.parts[1]);
     shrink_ = outer_shrink, display_ = outer_display;
     const double gap = 0.16 * em(), overhang = 0.08 * em(), side = 0.06 * em();
     const double width = std::max(over.width, under.width) + 2 * overhang;
-    TextBox box;
+    TypesetBox box;
     box.place(over, {side + 0.5 * (width - over.width), -axis() - gap - over.descent});
     box.place(under, {side + 0.5 * (width - under.width), -axis() + gap + under.ascent});
     box.rules.push_back({{side, -axis() - 0.5 * stroke()}, {side + width, -axis() + 0.5 * stroke()}, ink_});
@@ -113,10 +113,10 @@ class Setter {
     return box;
   }
 
-  TextBox root(const TextBox& content) {
+  TypesetBox root(const TypesetBox& content) {
     const double gap = 0.14 * em(), hook = 0.55 * em();
     const double top = -std::max(content.ascent, 0.55 * em()) - gap, bottom = content.descent;
-    TextBox box;
+    TypesetBox box;
     box.place(content, {hook + 0.06 * em(), 0.0});
     box.width += 0.08 * em();
     const double middle = 0.5 * (top + bottom);
@@ -127,17 +127,17 @@ class Setter {
     return box;
   }
 
-  TextBox script(const Formula& f) {
+  TypesetBox script(const Formula& f) {
     ++level_;
-    TextBox box = set(f);
+    TypesetBox box = set(f);
     --level_;
     return box;
   }
-  TextBox scripts(const Formula& f) {
-    TextBox box = set(f.parts[0]);
+  TypesetBox scripts(const Formula& f) {
+    TypesetBox box = set(f.parts[0]);
     const bool leans = f.parts[0].italic;
     const double right = box.width + 0.03 * em();
-    const TextBox below = script(f.parts[1]), above = script(f.parts[2]);
+    const TypesetBox below = script(f.parts[1]), above = script(f.parts[2]);
     double raise = std::max(0.38 * em(), box.ascent - 0.32 * em());
     double lower = std::max(0.18 * em(), box.descent - 0.02 * em());
     const bool both = !f.parts[1].parts.empty() && !f.parts[2].parts.empty();
@@ -149,8 +149,8 @@ class Setter {
     return box;
   }
 
-  TextBox accent(const TextBox& content, bool hat) {
-    TextBox box = content;
+  TypesetBox accent(const TypesetBox& content, bool hat) {
+    TypesetBox box = content;
     const double y = -content.ascent - 0.1 * em(), middle = 0.5 * content.width + 0.06 * em();
     const double half = hat ? 0.2 * em() : std::max(0.2 * em(), 0.5 * content.width - 0.04 * em());
     if (hat) {
@@ -162,16 +162,16 @@ class Setter {
     return box;
   }
 
-  TextBox fenced(const Formula& f) {
-    const TextBox content = set(f.parts[0]);
+  TypesetBox fenced(const Formula& f) {
+    const TypesetBox content = set(f.parts[0]);
     const double half = std::max(content.ascent - axis(), content.descent + axis());
-    TextBox box = fence(f.text, half);
+    TypesetBox box = fence(f.text, half);
     box.place(content, {box.width + 0.04 * em(), 0.0});
     box.place(fence(f.right, half), {box.width + 0.04 * em(), 0.0});
     return box;
   }
   /// As a glyph where one is high enough, else drawn; `half`: its reach above and below the axis.
-  TextBox fence(const std::string& text, double half) {
+  TypesetBox fence(const std::string& text, double half) {
     if (text == ".") return {};
     if (half < 0.58 * em()) return text_box(text, {Face::regular, false, size()}, ink_, metrics_);
     half += 0.05 * em();
@@ -179,7 +179,7 @@ class Setter {
     const bool left = text == "(" || text == "[";
     const double depth = (text == "|" ? 0.0 : text == "(" || text == ")" ? 0.16 : 0.18) * em() + 0.02 * half;
     const double outer = left ? 0.1 * em() : 0.1 * em() + depth, inner = left ? outer + depth : 0.1 * em();
-    TextBox box;
+    TypesetBox box;
     box.width = 0.2 * em() + depth, box.ascent = -top, box.descent = bottom;
     TextStroke line{{}, stroke() * 1.3, ink_};
     if (text == "[" || text == "]") {
@@ -203,7 +203,7 @@ class Setter {
 
 }  // namespace
 
-std::vector<TextBox> formula_boxes(const Formula& formula, double size, bool display, Ink ink, const FontMetrics& metrics) {
+std::vector<TypesetBox> formula_boxes(const Formula& formula, double size, bool display, Ink ink, const FontMetrics& metrics) {
   return Setter(size, display, ink, metrics).pieces(formula);
 }
 

@@ -8,6 +8,6 @@
 namespace psm {
 
 /// In parts between which a line may break: after each relation that stands in no group. `display`: fractions in full size.
-std::vector<TextBox> formula_boxes(const Formula& formula, double size, bool display, Ink ink, const FontMetrics& metrics);
+std::vector<TypesetBox> formula_boxes(const Formula& formula, double size, bool display, Ink ink, const FontMetrics& metrics);
 
 }  // namespace psm

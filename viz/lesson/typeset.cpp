@@ -11,7 +11,7 @@ namespace {
 
 /// What no line break divides, and the blank before it; a line may break there where `breaks`.
 struct Piece {
-  TextBox box;
+  TypesetBox box;
   double space = 0.0;
   bool breaks = false, new_line = false, centred = false;
   std::string link;
@@ -54,7 +54,7 @@ class Pieces {
   std::vector<Piece> take() { return std::move(pieces_); }
 
  private:
-  void add(TextBox box, const Inline& run) {
+  void add(TypesetBox box, const Inline& run) {
     next_.box = std::move(box), next_.link = run.link;
     pieces_.push_back(std::exchange(next_, {}));
   }
@@ -63,7 +63,7 @@ class Pieces {
     const auto formula = parse_formula(run.text);
     if (!formula) return add_words(run, run.text);
     next_.new_line |= display, next_.centred = display;
-    for (TextBox& box : formula_boxes(*formula, size_, display, ink_of(run, block_), metrics_)) {
+    for (TypesetBox& box : formula_boxes(*formula, size_, display, ink_of(run, block_), metrics_)) {
       add(std::move(box), run);
       next_.breaks = true, next_.centred = display;
     }
@@ -86,7 +86,7 @@ class Pieces {
   }
   /// A word that no line could hold is divided between characters.
   void add_word(const Inline& run, const Type& type, const std::string& word) {
-    TextBox box = text_box(word, type, ink_of(run, block_), metrics_);
+    TypesetBox box = text_box(word, type, ink_of(run, block_), metrics_);
     box.ascent = std::max(box.ascent, 0.55 * type.size);
     std::size_t half = word.size() / 2;
     while (half > 0 && (word[half] & 0xC0) == 0x80) --half;
@@ -187,7 +187,7 @@ class Setter {
   }
 
   void set_marker(const Block& block, double size, double indent, double baseline) {
-    const TextBox marker = text_box(block.marker, {Face::regular, false, size}, Ink::faint, metrics_);
+    const TypesetBox marker = text_box(block.marker, {Face::regular, false, size}, Ink::faint, metrics_);
     page_.ink.place(marker, {indent - marker.width - 0.35 * size, baseline});
   }
 

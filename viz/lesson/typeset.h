@@ -20,7 +20,7 @@ struct LinkArea {
 
 /// The origin is the top left corner; nothing leaves [0, width] but what no line could hold.
 struct TextPage {
-  TextBox ink;
+  TypesetBox ink;
   std::vector<LinkArea> links;
   double height = 0.0;
 };

@@ -74,7 +74,7 @@ void draw_run(const GlyphRun& run, const ImVec2& origin, Theme theme) {
   }
 }
 
-void draw_ink(const TextBox& box, const ImVec2& origin, Theme theme) {
+void draw_ink(const TypesetBox& box, const ImVec2& origin, Theme theme) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float top = list->GetClipRectMin().y, bottom = list->GetClipRectMax().y;
   for (const GlyphRun& run : box.runs) {
