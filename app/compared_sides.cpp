@@ -52,7 +52,7 @@ void draw_plate(const SidePlate& plate, const Caption& caption, const Sheet& she
   caption.draw(whole, plate.top_left.x + pad, plate.top_left.y + pad, plate.text, ink(sheet.theme));
 }
 
-PagePanel plate_panel(const SidePlate& plate, const Font& font, const Sheet& sheet) {
+PagePanel plate_panel(const SidePlate& plate, const FontFace& font, const Sheet& sheet) {
   const double pad = px(kPadding, sheet.scale);
   const glm::dvec2 at = plate.top_left;
   const auto box = [&](const glm::dvec2& size, const glm::vec3& color) {

@@ -7,7 +7,7 @@
 
 #include "app/caption.h"
 #include "app/sheet.h"
-#include "figure/font.h"
+#include "draw/font_face.h"
 
 namespace psm {
 
@@ -24,7 +24,7 @@ glm::ivec2 shown_columns(const SheetPanel& panel);
 std::vector<SidePlate> side_plates(const SheetPanel& panel, const Analysis& analysis, double scale);
 
 void draw_plate(const SidePlate& plate, const Caption& caption, const Sheet& sheet, Image& whole);
-PagePanel plate_panel(const SidePlate& plate, const Font& font, const Sheet& sheet);
+PagePanel plate_panel(const SidePlate& plate, const FontFace& font, const Sheet& sheet);
 
 /// Adds the views as panels, each in a tile of this size: those that both techniques share twice, all of B's before A's, because
 /// a painter keeps what the last panel needed.

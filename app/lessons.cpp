@@ -2,7 +2,6 @@
 #include "app/lessons.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <memory>
 
@@ -10,7 +9,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/numbers.h"
-#include "lesson/font_face.h"
+#include "draw/font_face.h"
 #include "measure/ray_tracer.h"
 #include "measure/texel_analysis.h"
 #include "measure/visible_image.h"
@@ -38,11 +37,6 @@ Result<fs::path> lesson_folder(const std::string& file) {
   return InputError{quotable(file) +
                     ": is no lesson; allowed: a lesson's folder, its lesson.json, or the name of a lesson that "
                     "psmlab lesson list prints"};
-}
-
-std::string font_bytes() {
-  std::ifstream stream(font_file(), std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -109,8 +103,9 @@ int check_lessons(const std::vector<std::string>& files) {
     folders.push_back(*folder);
   }
   if (files.empty()) folders = lesson_folders(lessons_folder());
-  const FontFace font(font_bytes());
-  LessonSurroundings surroundings{ray_traced_analyze(), [&](char32_t point) { return font.has(point); }, {}};
+  const auto font = FontFace::load(font_file());
+  if (!font) return other_failure(font.error());
+  LessonSurroundings surroundings{ray_traced_analyze(), [&](char32_t point) { return font->has(point); }, {}};
   bool all_fine = true;
   std::string text;
   for (const fs::path& folder : folders) {

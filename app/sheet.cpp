@@ -146,7 +146,7 @@ Image SheetPainter::image(const Sheet& sheet) {
 }
 
 Result<Page> SheetPainter::page(const Sheet& sheet) {
-  const auto font = Font::load(font_file());
+  const auto font = FontFace::load(font_file());
   if (!font) return font.error();
   Page page{sheet.size, std::nullopt, {}, sheet.title, parameters_of(sheet)};
   if (!sheet.transparent) page.background = sheet.background;

@@ -26,8 +26,8 @@ DrawFill square(double depth, double left, double right) {
   return {{{left, -0.5, depth, 1}, {right, -0.5, depth, 1}, {right, 0.5, depth, 1}, {left, 0.5, depth, 1}}};
 }
 
-Font font() {
-  auto loaded = Font::load("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf");
+const FontFace& font() {
+  static const auto loaded = FontFace::load("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf");
   EXPECT_TRUE(loaded);
   return *loaded;
 }
@@ -47,7 +47,7 @@ PagePanel panel_of(const DrawList& list, glm::dvec2 top_left = {0.0, 0.0}) {
 }
 
 TEST(ViewPanel, SplitsALineWhereTheSceneHidesIt) {
-  const auto lines = items_of<PageLine>(panel_of({{across(0.5)}, {}, {}, {}}));
+  const auto lines = items_of<PageLine>(panel_of({.lines = {across(0.5)}}));
   ASSERT_EQ(lines.size(), 2u);
   const PageLine &hidden = lines[0], &seen = lines[1];
   EXPECT_EQ(seen.dash_on, 0.0);
@@ -60,7 +60,7 @@ TEST(ViewPanel, SplitsALineWhereTheSceneHidesIt) {
 
 TEST(ViewPanel, LeavesWhatIsBeforeTheSceneWhole) {
   for (const double depth : {-0.5, 0.0}) {  // the wall's own depth counts as before it
-    const auto lines = items_of<PageLine>(panel_of({{across(depth)}, {}, {}, {}}));
+    const auto lines = items_of<PageLine>(panel_of({.lines = {across(depth)}}));
     ASSERT_EQ(lines.size(), 1u) << depth;
     EXPECT_EQ(lines[0].dash_on, 0.0);
   }
@@ -69,7 +69,7 @@ TEST(ViewPanel, LeavesWhatIsBeforeTheSceneWhole) {
 TEST(ViewPanel, FadesALineThroughItsPieces) {
   DrawLine line = across(0.5);
   line.fade_b = 0.0;
-  const auto lines = items_of<PageLine>(panel_of({{line}, {}, {}, {}}));
+  const auto lines = items_of<PageLine>(panel_of({.lines = {line}}));
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[1].opacity_a, 1.0);
   EXPECT_NEAR(lines[1].opacity_b, 0.5, 0.02);
@@ -79,7 +79,7 @@ TEST(ViewPanel, FadesALineThroughItsPieces) {
 TEST(ViewPanel, EndsAnArrowAtItsHead) {
   DrawLine line{{-0.5, 0.0, 0.0, 1.0}, {-0.1, 0.0, 0.0, 1.0}};
   line.arrow = true;
-  const PagePanel panel = panel_of({{line}, {}, {}, {}});
+  const PagePanel panel = panel_of({.lines = {line}});
   const auto lines = items_of<PageLine>(panel);
   const auto heads = items_of<PagePolygon>(panel);
   ASSERT_EQ(lines.size(), 1u);
@@ -98,7 +98,7 @@ TEST(ViewPanel, FillsThatTheSceneHidesGoIntoThePixels) {
 }
 
 TEST(ViewPanel, DrawsFarFillsFirst) {
-  const auto fills = items_of<PagePolygon>(panel_of({{}, {square(-0.8, -0.9, -0.5), square(0.8, -0.8, -0.4)}, {}, {}}));
+  const auto fills = items_of<PagePolygon>(panel_of({.fills = {square(-0.8, -0.9, -0.5), square(0.8, -0.8, -0.4)}}));
   ASSERT_EQ(fills.size(), 2u);
   EXPECT_NEAR(fills[0].corners[0].x, 10.0, 1e-9);
 }
@@ -123,7 +123,7 @@ TEST(ViewPanel, ADrawingHasNoPixels) {
 }
 
 TEST(ViewPanel, StandsWhereItIsPut) {
-  const auto lines = items_of<PageLine>(panel_of({{across(0.0)}, {}, {}, {}}, {300.0, 40.0}));
+  const auto lines = items_of<PageLine>(panel_of({.lines = {across(0.0)}}, {300.0, 40.0}));
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_NEAR(lines[0].a.y, 40.0 + 0.5 * kSide, 1e-9);
   EXPECT_NEAR(lines[0].a.x, 300.0, 1e-9);

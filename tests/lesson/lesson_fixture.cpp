@@ -7,7 +7,7 @@
 #include <iterator>
 #include <random>
 
-#include "lesson/font_face.h"
+#include "draw/font_face.h"
 
 namespace psm::testing {
 

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "lesson/font_face.h"
+#include "draw/font_face.h"
 #include "lesson/formula_box.h"
 
 namespace psm::testing {

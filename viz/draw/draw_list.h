@@ -77,11 +77,11 @@ struct DrawText {
 };
 
 struct DrawList {
-  std::vector<DrawLine> lines;
-  std::vector<DrawFill> fills;
-  std::vector<DrawPoint> points;
-  std::vector<DrawLabel> labels;
-  std::vector<DrawText> texts;
+  std::vector<DrawLine> lines = {};
+  std::vector<DrawFill> fills = {};
+  std::vector<DrawPoint> points = {};
+  std::vector<DrawLabel> labels = {};
+  std::vector<DrawText> texts = {};
 };
 
 /// Another drawing of the same space over this one.

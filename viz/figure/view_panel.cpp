@@ -197,7 +197,7 @@ std::vector<DrawFill> hidden_fills(const ViewPicture& picture, const PictureFram
 }
 
 PagePanel view_panel(const ViewPicture& picture, const PictureFrame& frame, ViewRaster raster, const glm::dvec2& top_left,
-                     const Font& font) {
+                     const FontFace& font) {
   PanelBuilder builder(picture, frame, raster, top_left);
   std::vector<PagePolygon> polygons;
   std::vector<double> depths;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "draw/annotation.h"
+#include "draw/font_face.h"
 #include "draw/view.h"
-#include "figure/font.h"
 #include "figure/page.h"
 
 namespace psm {
@@ -24,6 +24,6 @@ std::vector<DrawFill> hidden_fills(const ViewPicture& picture, const PictureFram
 /// The panel, at `top_left` on the page. `raster.image` holds the scene and the hidden fills; the list's other fills, its lines
 /// (the hidden parts thinner and dashed, as on screen), points, labels, the title and the legend are drawn here.
 PagePanel view_panel(const ViewPicture& picture, const PictureFrame& frame, ViewRaster raster, const glm::dvec2& top_left,
-                     const Font& font);
+                     const FontFace& font);
 
 }  // namespace psm

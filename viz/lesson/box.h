@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "draw/font_face.h"
+
 namespace psm {
 
 enum class Face { regular, bold, mono };
@@ -46,11 +48,6 @@ struct TypesetBox {
 
   /// Draws `part` here and grows around it; `width` grows to its right end.
   void place(const TypesetBox& part, glm::dvec2 offset);
-};
-
-/// How far a text's ink reaches above and below the baseline.
-struct Reach {
-  double above = 0.0, below = 0.0;
 };
 
 /// Whoever draws measures: the screen's atlas, or the font file.

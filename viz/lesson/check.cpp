@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "lesson/font_face.h"
+#include "draw/utf8.h"
 #include "lesson/formula.h"
 #include "scene/share_text.h"
 
@@ -73,7 +73,7 @@ class StepCheck {
   }
 
   void check_glyphs(const std::string& text, int line, const char* file) {
-    for (const char32_t point : code_points(text)) {
+    for (const char32_t point : decode_utf8(text)) {
       if (surroundings_.has_glyph(point)) continue;
       char name[16];
       std::snprintf(name, sizeof name, "U+%04X", unsigned(point));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "lesson/font_face.h"
 #include "lesson/formula_box.h"
 
 namespace psm {

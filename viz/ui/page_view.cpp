@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lesson/font_face.h"
+#include "draw/utf8.h"
 #include "ui/theme.h"
 
 namespace psm {
@@ -19,14 +19,14 @@ float scale_of(const ImFont* font, const Type& type) { return float(type.size) /
 double width_of(const std::string& text, const Type& type) {
   const ImFont* font = face_font(type.face);
   float width = 0.0f;
-  for (const char32_t point : code_points(text)) width += font->GetCharAdvance(ImWchar(point));
+  for (const char32_t point : decode_utf8(text)) width += font->GetCharAdvance(ImWchar(point));
   return width * scale_of(font, type);
 }
 
 Reach reach_of(const std::string& text, const Type& type) {
   const ImFont* font = face_font(type.face);
   float above = 0.0f, below = 0.0f;
-  for (const char32_t point : code_points(text)) {
+  for (const char32_t point : decode_utf8(text)) {
     const ImFontGlyph* glyph = font->FindGlyph(ImWchar(point));
     if (!glyph || !glyph->Visible) continue;
     above = std::max(above, font->Ascent - glyph->Y0), below = std::max(below, glyph->Y1 - font->Ascent);
@@ -58,7 +58,7 @@ void draw_run(const GlyphRun& run, const ImVec2& origin, Theme theme) {
   const float baseline = std::round(origin.y + float(run.baseline.y));
   if (!run.type.oblique) pen = std::round(pen);
   const Color ink = ink_color(run.ink, theme);
-  for (const char32_t point : code_points(run.text)) {
+  for (const char32_t point : decode_utf8(run.text)) {
     const ImFontGlyph* glyph = font->FindGlyph(ImWchar(point));
     if (!glyph) continue;
     if (glyph->Visible) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lesson/font_face.h"
+#include "draw/font_face.h"
 
 namespace psm {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lesson/font_face.h"
+#include "draw/font_face.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -9,6 +9,10 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "draw/utf8.h"
 
 namespace psm {
 
@@ -31,6 +35,14 @@ FontFace::FontFace(std::string bytes) : font_(std::make_unique<Font>()) {
   font_->height = ascent - descent;
 }
 
+Result<FontFace> FontFace::load(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  FontFace font(std::string(std::istreambuf_iterator<char>(stream), {}));
+  if (!font.font_->usable)
+    return InputError{file.string() + ": cannot be read as a TrueType font; install the package fonts-dejavu-core"};
+  return font;
+}
+
 FontFace::~FontFace() = default;
 FontFace::FontFace(FontFace&&) noexcept = default;
 
@@ -43,7 +55,7 @@ bool FontFace::has(char32_t point) const {
 double FontFace::width(const std::string& text) const {
   if (!font_->usable) return 0.0;
   double units = 0.0;
-  for (const char32_t point : code_points(text)) {
+  for (const char32_t point : decode_utf8(text)) {
     int advance = 0, bearing = 0;
     stbtt_GetCodepointHMetrics(&font_->info, int(point), &advance, &bearing);
     units += advance;
@@ -54,26 +66,13 @@ double FontFace::width(const std::string& text) const {
 Reach FontFace::reach(const std::string& text) const {
   Reach reach;
   if (!font_->usable) return reach;
-  for (const char32_t point : code_points(text)) {
+  for (const char32_t point : decode_utf8(text)) {
     int left = 0, low = 0, right = 0, high = 0;
     if (stbtt_GetCodepointBox(&font_->info, int(point), &left, &low, &right, &high) == 0) continue;
     reach.above = std::max(reach.above, double(high) / font_->height);
     reach.below = std::max(reach.below, -double(low) / font_->height);
   }
   return reach;
-}
-
-std::u32string code_points(const std::string& text) {
-  std::u32string points;
-  for (const unsigned char byte : text) {
-    if (byte < 0x80)
-      points.push_back(byte);
-    else if (byte >= 0xC0)
-      points.push_back(byte >= 0xF0 ? byte & 0x07 : byte >= 0xE0 ? byte & 0x0F : byte & 0x1F);
-    else if (!points.empty())
-      points.back() = (points.back() << 6) | (byte & 0x3F);
-  }
-  return points;
 }
 
 }  // namespace psm
