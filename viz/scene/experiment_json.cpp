@@ -7,6 +7,7 @@
 
 #include "scene/experiment_file.h"
 #include "scene/experiment_members.h"
+#include "scene/field_reader.h"
 #include "scene/json_node.h"
 
 namespace psm {
@@ -83,83 +84,36 @@ Result<ordered_json> parse(const std::string& text) {
 
 std::string shown(const ordered_json& json) { return quotable(json.dump()); }
 
-std::optional<double> number_in(const ordered_json& json) {
-  if (json.is_number()) return json.get<double>();
-  if (json == "inf") return HUGE_VAL;
-  if (json == "-inf") return -HUGE_VAL;
-  return std::nullopt;
-}
-
-template <int N>
-bool read_vector(const ordered_json& json, glm::vec<N, double>& values) {
-  if (!json.is_array() || json.size() != N) return false;
-  for (int i = 0; i < N; ++i) {
-    if (!json[std::size_t(i)].is_number()) return false;
-    values[i] = json[std::size_t(i)].get<double>();
-  }
-  return true;
-}
-
-/// Writes the value into the member; false where the JSON is not of the member's kind.
-struct ReadJson {
-  const Field& field;
+/// What FieldReader reads from.
+struct JsonSource {
   const ordered_json& json;
-  Experiment& experiment;
 
-  bool is_absent() const { return field.absent == "null" ? json.is_null() : json == field.absent; }
-  bool operator()(const NumberRef& ref) const {
-    const auto number = number_in(json);
-    if (number) ref(experiment) = *number;
-    return number.has_value();
+  std::optional<double> number() const {
+    if (json.is_number()) return json.get<double>();
+    if (json == "inf") return HUGE_VAL;
+    if (json == "-inf") return -HUGE_VAL;
+    return std::nullopt;
   }
-  bool operator()(const IntRef& ref) const {
-    if (!json.is_number()) return false;
-    const double number = json.get<double>();
-    if (std::trunc(number) != number || std::abs(number) > 1e9) return false;
-    ref(experiment) = int(number);
-    return true;
-  }
-  bool operator()(const Vec2Ref& ref) const { return read_vector<2>(json, ref(experiment)); }
-  bool operator()(const Vec3Ref& ref) const { return read_vector<3>(json, ref(experiment)); }
-  bool operator()(const TextRef& ref) const {
-    if (!json.is_string()) return false;
-    ref(experiment) = json.get<std::string>();
-    return true;
-  }
-  bool operator()(const ShiftRef& ref) const {
-    const auto rule = json.is_string() ? shift_rule_from_name(json.get<std::string>()) : std::nullopt;
-    if (rule) return ref(experiment) = *rule, true;
-    const auto number = number_in(json);
-    if (number) ref(experiment) = *number;
-    return number.has_value();
-  }
-  bool operator()(const TilesRef& ref) const {
-    if (!json.is_array()) return false;
-    std::vector<ViewId> tiles;
+  std::optional<std::string> text() const { return json.is_string() ? std::optional(json.get<std::string>()) : std::nullopt; }
+  std::optional<std::vector<std::string>> names() const {
+    if (!json.is_array()) return std::nullopt;
+    std::vector<std::string> list;
     for (const ordered_json& name : json) {
-      const auto view = name.is_string() ? view_from_name(name.get<std::string>()) : std::nullopt;
-      if (!view) return false;
-      tiles.push_back(*view);
+      if (!name.is_string()) return std::nullopt;
+      list.push_back(name.get<std::string>());
     }
-    return ref(experiment) = tiles, true;
+    return list;
   }
-  bool operator()(const AutoPixelRef& ref) const { return or_absent<2>(ref(experiment)); }
-  bool operator()(const AutoPlaneRef& ref) const { return or_absent<4>(ref(experiment)); }
   template <int N>
-  bool or_absent(std::optional<glm::vec<N, double>>& member) const {
-    glm::vec<N, double> value;
-    const bool is_value = read_vector<N>(json, value);
-    if (!is_value && !is_absent()) return false;
-    member = is_value ? std::optional(value) : std::nullopt;
+  bool vector(glm::vec<N, double>& values) const {
+    if (!json.is_array() || json.size() != N) return false;
+    for (int i = 0; i < N; ++i) {
+      if (!json[std::size_t(i)].is_number()) return false;
+      values[i] = json[std::size_t(i)].get<double>();
+    }
     return true;
   }
-  bool operator()(const Choice& choice) const {
-    if (!json.is_string()) return false;
-    const auto found = std::find(choice.names.begin(), choice.names.end(), json.get<std::string>());
-    if (found == choice.names.end()) return false;
-    choice.set(experiment, int(found - choice.names.begin()));
-    return true;
-  }
+  bool is(const std::string& word) const { return word == "null" ? json.is_null() : json == word; }
 };
 
 bool is_object_of_members(const std::string& path) {
@@ -171,7 +125,7 @@ std::optional<InputError> read_members(const ordered_json& object, const std::st
 
 std::optional<InputError> read_member(const std::string& path, const ordered_json& json, ExperimentMembers& members) {
   if (const Field* field = find_field(path)) {
-    if (!std::visit(ReadJson{*field, json, members.values}, field->member) || check_field(*field, members.values))
+    if (!read_into(*field, JsonSource{json}, members.values) || check_field(*field, members.values))
       return not_allowed(path, shown(json), allowed_values(*field));
     members.set.push_back(field);
     return std::nullopt;

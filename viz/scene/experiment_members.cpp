@@ -5,79 +5,42 @@
 #include <cmath>
 
 #include "scene/experiment_file.h"
+#include "scene/field_reader.h"
 
 namespace psm {
 namespace {
 
-/// "0,1,-0.2", or the same in brackets and with blanks, as it is copied from a file.
-template <int N>
-bool read_list(std::string text, glm::vec<N, double>& values) {
-  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-  if (text.size() >= 2 && text.front() == '[' && text.back() == ']') text = text.substr(1, text.size() - 2);
-  for (int i = 0; i < N; ++i) {
-    const std::size_t comma = text.find(',');
-    if ((comma == std::string::npos) != (i == N - 1)) return false;
-    const auto number = number_from_text(text.substr(0, comma));
-    if (!number) return false;
-    values[i] = *number;
-    if (comma != std::string::npos) text.erase(0, comma + 1);
-  }
-  return true;
-}
+/// What FieldReader reads from. A vector is "0,1,-0.2", or the same in brackets and with blanks, as it is copied from a file.
+struct TextSource {
+  const std::string& typed;
 
-/// Writes the value into the member; false where the text is not of the member's kind.
-struct ReadText {
-  const Field& field;
-  const std::string& text;
-  Experiment& experiment;
-
-  bool operator()(const NumberRef& ref) const {
-    const auto number = number_from_text(text);
-    if (number) ref(experiment) = *number;
-    return number.has_value();
-  }
-  bool operator()(const IntRef& ref) const {
-    const auto number = number_from_text(text);
-    if (!number || std::trunc(*number) != *number || std::abs(*number) > 1e9) return false;
-    ref(experiment) = int(*number);
-    return true;
-  }
-  bool operator()(const Vec2Ref& ref) const { return read_list<2>(text, ref(experiment)); }
-  bool operator()(const Vec3Ref& ref) const { return read_list<3>(text, ref(experiment)); }
-  bool operator()(const TextRef& ref) const { return ref(experiment) = text, true; }
-  bool operator()(const ShiftRef& ref) const {
-    if (const auto rule = shift_rule_from_name(text)) return ref(experiment) = *rule, true;
-    const auto number = number_from_text(text);
-    if (number) ref(experiment) = *number;
-    return number.has_value();
-  }
-  bool operator()(const TilesRef& ref) const {
-    std::vector<ViewId> tiles;
-    for (std::size_t start = 0; start <= text.size();) {
-      const std::size_t end = std::min(text.find(',', start), text.size());
-      const auto view = view_from_name(text.substr(start, end - start));
-      if (!view) return false;
-      tiles.push_back(*view);
+  std::optional<double> number() const { return number_from_text(typed); }
+  std::optional<std::string> text() const { return typed; }
+  std::optional<std::vector<std::string>> names() const {
+    std::vector<std::string> list;
+    for (std::size_t start = 0; start <= typed.size();) {
+      const std::size_t end = std::min(typed.find(',', start), typed.size());
+      list.push_back(typed.substr(start, end - start));
       start = end + 1;
     }
-    return ref(experiment) = tiles, true;
+    return list;
   }
-  bool operator()(const AutoPixelRef& ref) const { return or_absent<2>(ref(experiment)); }
-  bool operator()(const AutoPlaneRef& ref) const { return or_absent<4>(ref(experiment)); }
   template <int N>
-  bool or_absent(std::optional<glm::vec<N, double>>& member) const {
-    glm::vec<N, double> value;
-    const bool is_value = read_list<N>(text, value);
-    if (!is_value && text != field.absent) return false;
-    member = is_value ? std::optional(value) : std::nullopt;
+  bool vector(glm::vec<N, double>& values) const {
+    std::string rest = typed;
+    rest.erase(std::remove(rest.begin(), rest.end(), ' '), rest.end());
+    if (rest.size() >= 2 && rest.front() == '[' && rest.back() == ']') rest = rest.substr(1, rest.size() - 2);
+    for (int i = 0; i < N; ++i) {
+      const std::size_t comma = rest.find(',');
+      if ((comma == std::string::npos) != (i == N - 1)) return false;
+      const auto number = number_from_text(rest.substr(0, comma));
+      if (!number) return false;
+      values[i] = *number;
+      if (comma != std::string::npos) rest.erase(0, comma + 1);
+    }
     return true;
   }
-  bool operator()(const Choice& choice) const {
-    const auto found = std::find(choice.names.begin(), choice.names.end(), text);
-    if (found == choice.names.end()) return false;
-    choice.set(experiment, int(found - choice.names.begin()));
-    return true;
-  }
+  bool is(const std::string& word) const { return typed == word; }
 };
 
 /// Reads one override into `experiment`, range checked; the row that it set.
@@ -88,7 +51,7 @@ Result<const Field*> read_override(Experiment& experiment, const std::string& pa
   const std::string path = path_and_value.substr(0, equals), value = path_and_value.substr(equals + 1);
   const Field* field = find_field(path);
   if (!field) return unknown_member(path);
-  if (!std::visit(ReadText{*field, value, experiment}, field->member) || check_field(*field, experiment))
+  if (!read_into(*field, TextSource{value}, experiment) || check_field(*field, experiment))
     return not_allowed(path, value.empty() ? "an empty value" : quotable(value), allowed_values(*field));
   return field;
 }
