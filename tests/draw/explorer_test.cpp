@@ -31,14 +31,19 @@ bool says(const DrawList& list, const std::string& text) {
                      [&](const DrawText& t) { return t.text.find(text) != std::string::npos; });
 }
 
+std::vector<glm::dvec2> random_pages(const ExplorerMap& map, unsigned seed, int count) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> x(map.min.x, map.max.x), y(map.min.y, map.max.y);
+  std::vector<glm::dvec2> pages;
+  for (int i = 0; i < count; ++i) pages.push_back(map.clamped({x(random), y(random)}));
+  return pages;
+}
+
 TEST(ExplorerMap, ALightIsWhereItWasPut) {
   for (const char* type : {"light.type=directional", "light.type=point"}) {
     const Case c = with({type});
     const ExplorerMap map = explorer_map(c.analysis, kPage);
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> x(map.min.x, map.max.x), y(map.min.y, map.max.y);
-    for (int i = 0; i < 200; ++i) {
-      const glm::dvec2 page = map.clamped({x(random), y(random)});
+    for (const glm::dvec2& page : random_pages(map, 5, 200)) {
       const Experiment moved = map.with_light_at(c.loaded.experiment, page, 0.0);
       const glm::dvec2 back =
           map.directions ? map.page_of_direction(moved.light.to_light) : map.page_of_position(moved.light.position);
@@ -76,10 +81,7 @@ TEST(ExplorerMap, RegionsAreTheAnalysissCases) {
   for (const char* type : {"light.type=directional", "light.type=point"}) {
     const Case c = with({type});
     const ExplorerMap map = explorer_map(c.analysis, kPage);
-    std::mt19937 random(9);
-    std::uniform_real_distribution<double> x(map.min.x, map.max.x), y(map.min.y, map.max.y);
-    for (int i = 0; i < 60; ++i) {
-      const glm::dvec2 page = map.clamped({x(random), y(random)});
+    for (const glm::dvec2& page : random_pages(map, 9, 60)) {
       const double inside = map.directions ? std::sqrt(0.5) * map.scale - glm::length(page - map.middle) : page.x - map.middle.x;
       if (std::abs(inside) < 1e-3) continue;
       const Experiment moved = map.with_light_at(c.loaded.experiment, page, 0.0);

@@ -20,14 +20,8 @@ void add_floor(Scene& scene) {
   Mesh tiles[2];
   for (int row = -kTilesEachWay; row < kTilesEachWay; ++row)
     for (int column = -kTilesEachWay; column < kTilesEachWay; ++column) {
-      Mesh& mesh = tiles[(row + column) & 1];
-      const auto first = std::uint32_t(mesh.positions.size());
-      const double x = column * kTile, z = row * kTile;
-      for (const glm::dvec3& p : {glm::dvec3(x, 0, z), {x, 0, z + kTile}, {x + kTile, 0, z + kTile}, {x + kTile, 0, z}}) {
-        mesh.positions.push_back(p);
-        mesh.normals.push_back({0, 1, 0});
-      }
-      for (std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.triangles.push_back(first + k);
+      const glm::dvec2 corner(column * kTile, row * kTile);
+      shapes::append_tile(tiles[(row + column) & 1], corner, corner + kTile);
     }
   tiles[0].name = "floor_light", tiles[0].material = kLightTile;
   tiles[1].name = "floor_dark", tiles[1].material = kDarkTile;
@@ -46,28 +40,15 @@ void add_ball(Scene& scene) {
 
 Scene make_ball() {
   Scene scene;
-  for (std::uint32_t colour : {0xECEAE4u, 0xDAD7CFu, 0xC65D2Eu}) {
-    Material material;
-    material.base_color = shapes::linear_from_srgb(colour);
-    scene.materials.push_back(material);
-  }
+  scene.materials = shapes::plain_materials({0xECEAE4u, 0xDAD7CFu, 0xC65D2Eu});
   add_floor(scene);
   add_ball(scene);
 
-  CameraSettings camera;
-  camera.position = {0.0, 2.6, 8.0};
-  camera.target = {0.0, 1.0, 0.0};
-  camera.vertical_fov_deg = 40.0;
-  camera.near = 0.5;
-  camera.far = 60.0;
-  scene.camera = camera;
+  scene.camera =
+      CameraSettings{.position = {0.0, 2.6, 8.0}, .target = {0.0, 1.0, 0.0}, .vertical_fov_deg = 40.0, .near = 0.5, .far = 60.0};
 
   // A lamp, so that moving it, giving it a radius or taking it to infinity shows point, area and parallel light.
-  LightSettings light;
-  light.type = LightType::point;
-  light.position = {-2.2, 6.0, 1.6};
-  light.to_light = {-2.2, 6.0, 1.6};
-  scene.light = light;
+  scene.light = LightSettings{.type = LightType::point, .to_light = {-2.2, 6.0, 1.6}, .position = {-2.2, 6.0, 1.6}};
   return scene;
 }
 

@@ -133,11 +133,7 @@ void add_benches(Scene& scene) {
 
 Scene make_ceiling() {
   Scene scene;
-  for (std::uint32_t colour : {0xE6E2D8u, 0xB9AE9Cu, 0xDCD6C8u, 0x9C6B44u, 0xC99A5Bu, 0x5F4632u}) {
-    Material material;
-    material.base_color = shapes::linear_from_srgb(colour);
-    scene.materials.push_back(material);
-  }
+  scene.materials = shapes::plain_materials({0xE6E2D8u, 0xB9AE9Cu, 0xDCD6C8u, 0x9C6B44u, 0xC99A5Bu, 0x5F4632u});
   add_floor(scene);
   add_columns(scene);
   add_beams(scene);
@@ -145,18 +141,10 @@ Scene make_ceiling() {
   add_benches(scene);
 
   // As the papers have it: 60 degrees, n = 1 m and a far distance that nothing reaches.
-  CameraSettings camera;
-  camera.position = {0.6, 1.7, 1.6};
-  camera.target = {0.0, 1.9, -10.0};
-  camera.vertical_fov_deg = 60.0;
-  camera.near = 1.0;
-  camera.far = 800.0;
-  scene.camera = camera;
+  scene.camera = CameraSettings{
+      .position = {0.6, 1.7, 1.6}, .target = {0.0, 1.9, -10.0}, .vertical_fov_deg = 60.0, .near = 1.0, .far = 800.0};
 
-  LightSettings light;
-  light.type = LightType::directional;
-  light.to_light = {-0.45, 1.0, -0.42};
-  scene.light = light;
+  scene.light = LightSettings{.type = LightType::directional, .to_light = {-0.45, 1.0, -0.42}};
   return scene;
 }
 

@@ -95,30 +95,17 @@ void add_board(Scene& scene) {
 
 Scene make_chessboard() {
   Scene scene;
-  for (std::uint32_t colour : {0xF3EAD6u, 0x4E3426u, 0xF0EBDFu, 0xA88362u, 0x7A5334u, 0xD8D8D6u}) {
-    Material material;
-    material.base_color = shapes::linear_from_srgb(colour);
-    scene.materials.push_back(material);
-  }
+  scene.materials = shapes::plain_materials({0xF3EAD6u, 0x4E3426u, 0xF0EBDFu, 0xA88362u, 0x7A5334u, 0xD8D8D6u});
   add_pieces(scene);
   add_board(scene);
 
   // Low behind the corner a1, just above the tallest piece: the receivers' depths span a factor of fifteen.
-  CameraSettings camera;
-  camera.position = {-3.6, 2.05, 6.1};
-  camera.target = {0.35, 0.0, -0.3};
-  camera.vertical_fov_deg = 52.0;
-  camera.near = 1.0;
-  camera.far = 60.0;
-  scene.camera = camera;
+  scene.camera = CameraSettings{
+      .position = {-3.6, 2.05, 6.1}, .target = {0.35, 0.0, -0.3}, .vertical_fov_deg = 52.0, .near = 1.0, .far = 60.0};
 
   // Behind the board on the left, so that shadows fall towards the viewer: there a uniform map is too coarse.
-  LightSettings light;
-  light.type = LightType::spot;
-  light.position = {-5.0, 9.0, -9.0};
-  light.target = {0.0, 0.0, 0.0};
-  light.cone_deg = 60.0;
-  scene.light = light;
+  scene.light =
+      LightSettings{.type = LightType::spot, .position = {-5.0, 9.0, -9.0}, .target = {0.0, 0.0, 0.0}, .cone_deg = 60.0};
   return scene;
 }
 

@@ -19,15 +19,8 @@ constexpr int kRows = 13;
 void add_ground(Scene& scene) {
   Mesh stripes[2];
   for (int i = 0; i * kStripe < kAhead + kBehind; ++i) {
-    Mesh& mesh = stripes[i % 2];
-    const auto first = std::uint32_t(mesh.positions.size());
-    const double near_z = kBehind - i * kStripe, far_z = near_z - kStripe;
-    for (const glm::dvec3& p :
-         {glm::dvec3(-kHalfWidth, 0, near_z), {kHalfWidth, 0, near_z}, {kHalfWidth, 0, far_z}, {-kHalfWidth, 0, far_z}}) {
-      mesh.positions.push_back(p);
-      mesh.normals.push_back({0, 1, 0});
-    }
-    for (std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.triangles.push_back(first + k);
+    const double near_z = kBehind - i * kStripe;
+    shapes::append_tile(stripes[i % 2], {-kHalfWidth, near_z - kStripe}, {kHalfWidth, near_z});
   }
   stripes[0].name = "ground_even", stripes[0].material = kStripeA;
   stripes[1].name = "ground_odd", stripes[1].material = kStripeB;
@@ -57,26 +50,14 @@ void add_posts(Scene& scene) {
 
 Scene make_ground() {
   Scene scene;
-  for (std::uint32_t colour : {0xE8E8E8u, 0xD6D6D6u, 0x8A5A3Cu}) {
-    Material material;
-    material.base_color = shapes::linear_from_srgb(colour);
-    scene.materials.push_back(material);
-  }
+  scene.materials = shapes::plain_materials({0xE8E8E8u, 0xD6D6D6u, 0x8A5A3Cu});
   add_ground(scene);
   add_posts(scene);
 
-  CameraSettings camera;
-  camera.position = {0, 1.7, 0};
-  camera.target = {0, 1.7, -10};
-  camera.vertical_fov_deg = 60.0;
-  camera.near = 1.0;
-  camera.far = 100.0;
-  scene.camera = camera;
+  scene.camera =
+      CameraSettings{.position = {0, 1.7, 0}, .target = {0, 1.7, -10}, .vertical_fov_deg = 60.0, .near = 1.0, .far = 100.0};
 
-  LightSettings light;
-  light.type = LightType::directional;
-  light.to_light = {-0.7, 1.0, -0.25};
-  scene.light = light;
+  scene.light = LightSettings{.type = LightType::directional, .to_light = {-0.7, 1.0, -0.25}};
   return scene;
 }
 

@@ -153,14 +153,8 @@ void add_ground(Scene& scene) {
   Mesh tones[2];
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < kColumns; ++column) {
-      Mesh& mesh = tones[(row + column) % 2];
-      const auto first = std::uint32_t(mesh.positions.size());
-      const double x = (column - kColumns / 2) * kSize, z = kNearest - row * kSize;
-      for (const dvec3& p : {dvec3(x, 0, z), {x + kSize, 0, z}, {x + kSize, 0, z - kSize}, {x, 0, z - kSize}}) {
-        mesh.positions.push_back(p);
-        mesh.normals.push_back({0, 1, 0});
-      }
-      for (std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.triangles.push_back(first + k);
+      const double x = (column - kColumns / 2) * kSize, near_z = kNearest - row * kSize;
+      shapes::append_tile(tones[(row + column) % 2], {x, near_z - kSize}, {x + kSize, near_z});
     }
   tones[0].name = "ground", tones[0].material = kGround;
   tones[1].name = "slabs", tones[1].material = kSlab;
@@ -171,27 +165,15 @@ void add_ground(Scene& scene) {
 
 Scene make_robots() {
   Scene scene;
-  for (std::uint32_t colour : {0xE6E6E2u, 0xD5D5D0u, 0xC9D3DCu, 0xD9772Bu, 0x5C646Cu, 0x1F3A4Du}) {
-    Material material;
-    material.base_color = shapes::linear_from_srgb(colour);
-    scene.materials.push_back(material);
-  }
+  scene.materials = shapes::plain_materials({0xE6E6E2u, 0xD5D5D0u, 0xC9D3DCu, 0xD9772Bu, 0x5C646Cu, 0x1F3A4Du});
   add_robots(scene);
   add_ground(scene);
 
   // As the paper has it: 60 degrees, n = 1 m and a far distance that nothing reaches.
-  CameraSettings camera;
-  camera.position = {0.0, 1.75, 0.0};
-  camera.target = {0.0, 1.1, -8.0};
-  camera.vertical_fov_deg = 60.0;
-  camera.near = 1.0;
-  camera.far = 800.0;
-  scene.camera = camera;
+  scene.camera = CameraSettings{
+      .position = {0.0, 1.75, 0.0}, .target = {0.0, 1.1, -8.0}, .vertical_fov_deg = 60.0, .near = 1.0, .far = 800.0};
 
-  LightSettings light;
-  light.type = LightType::directional;
-  light.to_light = {-0.8, 0.85, -0.55};
-  scene.light = light;
+  scene.light = LightSettings{.type = LightType::directional, .to_light = {-0.8, 0.85, -0.55}};
   return scene;
 }
 

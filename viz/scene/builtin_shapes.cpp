@@ -177,6 +177,15 @@ Solid square_frame(double half, const std::vector<glm::dvec2>& section) {
   return turned_outward(std::move(solid));
 }
 
+void append_tile(Mesh& mesh, const glm::dvec2& low, const glm::dvec2& high) {
+  const auto first = std::uint32_t(mesh.positions.size());
+  for (const glm::dvec3& p : {glm::dvec3(low.x, 0, high.y), {high.x, 0, high.y}, {high.x, 0, low.y}, {low.x, 0, low.y}}) {
+    mesh.positions.push_back(p);
+    mesh.normals.push_back({0, 1, 0});
+  }
+  for (std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.triangles.push_back(first + k);
+}
+
 glm::vec4 linear_from_srgb(std::uint32_t rgb) {
   glm::vec4 linear(1.0f);
   for (int i = 0; i < 3; ++i) {
@@ -184,6 +193,12 @@ glm::vec4 linear_from_srgb(std::uint32_t rgb) {
     linear[i] = float(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
   }
   return linear;
+}
+
+std::vector<Material> plain_materials(std::initializer_list<std::uint32_t> colours) {
+  std::vector<Material> materials;
+  for (const std::uint32_t colour : colours) materials.emplace_back().base_color = linear_from_srgb(colour);
+  return materials;
 }
 
 }  // namespace psm::shapes

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <vector>
 
 #include "scene/scene.h"
@@ -70,7 +71,13 @@ Solid square_frame(double half, const std::vector<glm::dvec2>& section);
 /// Adds normals: smooth across edges that bend by less than `crease` radians, sharp across the others.
 Mesh shaded(const Solid& solid, double crease);
 
+/// A rectangle of the floor y = 0 that faces upwards, its corners as (x, z).
+void append_tile(Mesh& mesh, const glm::dvec2& low, const glm::dvec2& high);
+
 /// A colour as in style sheets, 0xRRGGBB in sRGB, as the linear colour that materials hold.
 glm::vec4 linear_from_srgb(std::uint32_t rgb);
+
+/// A material of each such colour.
+std::vector<Material> plain_materials(std::initializer_list<std::uint32_t> colours);
 
 }  // namespace psm::shapes
