@@ -18,6 +18,7 @@ TEST(Ticks, AreRoundAndInRange) {
   EXPECT_THAT(plot_ticks(0.5, 2000, true, 8), ElementsAre(1, 10, 100, 1000));
   EXPECT_THAT(plot_ticks(1.5, 12, true, 8), ElementsAre(2, 5, 10));
   EXPECT_TRUE(plot_ticks(0, 10, true, 5).empty());
+  EXPECT_EQ(tick_text(plot_ticks(-1e-12, 1, false, 5)[0]), "0");
   for (const double high : {1e-9, 0.3, 7.0, 123.0, 1e12})
     for (const int most : {3, 6, 10}) {
       const auto ticks = plot_ticks(0, high, false, most);

@@ -94,7 +94,7 @@ class ExplorerView {
     polygon(inner, Role::light_point, 0.22);
     for (const double theta : {30.0, 60.0, 120.0, 150.0}) {
       circle(theta, {Role::neutral, 1.0, LineStyle::solid, 0.35});
-      if (!is_small()) text(map_.page_of(glm::radians(theta), kTurn / 8), short_number(theta) + "°", Role::neutral, {0.5, 0.5});
+      if (!is_small()) text(map_.page_of(glm::radians(theta), -kTurn / 8), short_number(theta) + "°", Role::neutral, {0.5, 0.5});
     }
     horizon();
     warp_angles();
@@ -116,8 +116,7 @@ class ExplorerView {
     }
     text(map_.page_of(glm::radians(52.0), -kTurn / 4), "point light, order kept", Role::light_point, {0.5, 0.5});
     text(map_.page_of(glm::radians(90.0), -kTurn / 4), "w = 0: stays directional", Role::infinity, {0.5, 0.5});
-    text(map_.page_of(glm::radians(125.0), -kTurn / 4), "inverted point light,", Role::light_inverted, {0.5, 1.0});
-    text(map_.page_of(glm::radians(125.0), -kTurn / 4), "order reversed", Role::light_inverted, {0.5, 0.0});
+    text(map_.page_of(glm::radians(112.0), -kTurn / 4), "inverted point light, order reversed", Role::light_inverted, {0.5, 0.5});
     text(map_.page_of(glm::radians(180.0), -kTurn / 4) - dvec2(0.0, 3.0), "rim: straight behind, 180°", Role::neutral,
          {0.5, 1.0});
   }

@@ -14,7 +14,7 @@ std::vector<double> linear_ticks(double low, double high, int most) {
   for (const double nice : {1.0, 2.0, 2.5, 5.0})
     if (nice * decade >= rough * (1 - 1e-9)) step = std::min(step, nice * decade);
   std::vector<double> ticks;
-  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) ticks.push_back(i * step);
+  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) ticks.push_back(i * step + 0.0);  // not -0
   return ticks;
 }
 
