@@ -94,6 +94,7 @@ TEST_F(LessonPanelTest, StepsByButtonsAndKeysAndKeepsEachStepsExperiment) {
 TEST_F(LessonPanelTest, AnAnswerUncoversTheViewAndReveals) {
   open();
   EXPECT_TRUE(bench_->on_screen("cover.cube"));
+  EXPECT_FALSE(bench_->on_screen("tile.cube")) << "what is covered has no tools";
   const Image covered = bench_->screen();
   click("lesson.question.0.choice.0");
   EXPECT_FALSE(bench_->on_screen("cover.cube"));

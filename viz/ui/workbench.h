@@ -129,6 +129,7 @@ class Workbench {
   void toggle_lesson_pane();
   bool step_lesson(int by);
   bool key_is_free(const KeyPress& press);
+  bool is_covered(ViewId id) const;
   void cover_tiles(Frame& f);
   void play_camera_shift();
   void play_world_to_cube();

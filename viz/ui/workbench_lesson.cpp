@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+
 #include "ui/workbench.h"
 #include "ui/workbench_frame.h"
 
@@ -74,11 +76,16 @@ bool Workbench::key_is_free(const KeyPress& press) {
   return true;
 }
 
+bool Workbench::is_covered(ViewId id) const {
+  const std::vector<ViewId> covered = settings_.layout.lesson_shown ? lessons_.covered() : std::vector<ViewId>();
+  return std::find(covered.begin(), covered.end(), id) != covered.end();
+}
+
 /// A plate over what a question asks to predict.
 void Workbench::cover_tiles(Frame& f) {
-  for (const ViewId id : lessons_.covered()) {
+  for (const ViewId id : kAllViews) {
     const Rect& rect = f.layout.view(id);
-    if (rect.empty() || !settings_.layout.lesson_shown) continue;
+    if (rect.empty() || !is_covered(id)) continue;
     ImDrawList* list = ImGui::GetWindowDrawList();
     const ImVec2 min(float(rect.min.x), float(rect.min.y)), max(float(rect.max.x), float(rect.max.y));
     list->AddRectFilled(min, max, ImGui::GetColorU32(ImGuiCol_FrameBg));
