@@ -110,7 +110,7 @@ struct SheetPainter::State {
     if (picture.scene == ScenePicture::none) return raster;
     const int samples = samples_along(size);
     raster.image = draw(picture, sheet, size, samples);
-    raster.depth = renderer.read_view_depth(picture.id);
+    raster.depth = renderer.read_overlay_depth();
     ViewPicture bare = picture;
     bare.title.clear();
     bare.legend = {};

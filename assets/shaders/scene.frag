@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With MAY_DISCARD: cutoff textures and the cube view's limit; without, cards test depth before they shade. DEPTH_ONLY: no shading.
+// With MAY_DISCARD: cutoff textures and the cube view's limit; without, cards test depth before they shade.
 // VERDICT: what the map says, as a number from 0 to 255 in red (MapVerdict: 1 dark, 2 lit, 3 outside the map); the lit fraction in green.
 // ONE_MAP: there is no second one. LOOKUP: with filters, and with points that are shifted before they are looked up.
 // Hemisphere light from above and one light with shadows. No fall-off with distance: shadows have to be read, not admired.
@@ -171,13 +171,10 @@ void main() {
   if (albedo.a < u_alpha_cutoff) discard;
   fade = u_cube_limit > 0.0 ? distance_fade() : 0.0;
   if (fade >= 1.0) discard;
-#elif !defined(DEPTH_ONLY)
+#else
   if (u_textured) albedo *= texture(u_texture, v_texcoord);
 #endif
 
-#ifdef DEPTH_ONLY
-  o_color = vec4(fade);
-#else
   g_along_x = u_has_surface ? dFdx(v_position) : vec3(0.0);
   g_along_y = u_has_surface ? dFdy(v_position) : vec3(0.0);
   vec3 normal = v_normal / max(length(v_normal), 1e-20) * (gl_FrontFacing ? 1.0 : -1.0);
@@ -188,6 +185,5 @@ void main() {
   vec3 ambient = mix(kGroundLight, kSkyLight, u_has_surface ? 0.5 + 0.5 * normal.y : 1.0);
   vec3 color = encode(clamp(albedo.rgb * (ambient + kLight * direct_light(normal)), 0.0, 1.0));
   o_color = mix(vec4(color, 1.0), u_ground, fade);
-#endif
 #endif
 }

@@ -84,6 +84,7 @@ class Program {
   // Of the program in use. Names that the compiler dropped are ignored, as OpenGL does.
   void set(const char* name, int value) { glUniform1i(location(name), value); }
   void set(const char* name, float value) { glUniform1f(location(name), value); }
+  void set(const char* name, const glm::ivec2& v) { glUniform2i(location(name), v.x, v.y); }
   void set(const char* name, const glm::vec2& v) { glUniform2f(location(name), v.x, v.y); }
   void set(const char* name, const glm::vec3& v) { glUniform3f(location(name), v.x, v.y, v.z); }
   void set(const char* name, const glm::vec4& v) { glUniform4f(location(name), v.x, v.y, v.z, v.w); }

@@ -21,13 +21,12 @@ ListPass::ListPass(const std::filesystem::path& shaders, const std::filesystem::
                                     {4, 2, offsetof(ShapeVertex, shape)}}),
       text_(shaders, font) {}
 
-void ListPass::draw(const ViewPicture& picture, const PictureFrame& frame) {
+void ListPass::draw_lines_and_labels(const ViewPicture& picture, const PictureFrame& frame) {
   const Annotations notes = annotate(picture, frame, [&](const std::string& text) { return text_.text_size(text, frame.scale); });
 
   glDepthMask(GL_FALSE);
   enable_blending();
   glEnable(GL_DEPTH_TEST);
-  draw_fills(picture, frame);
   draw_list_lines(picture, frame, Seen::behind);
   draw_list_lines(picture, frame, Seen::in_front);
   glDisable(GL_DEPTH_TEST);
@@ -46,6 +45,9 @@ void ListPass::draw(const ViewPicture& picture, const PictureFrame& frame) {
 void ListPass::draw_fills(const ViewPicture& picture, const PictureFrame& frame) {
   const std::vector<FillVertex> vertices = fill_vertices(picture.list, picture.clip_from_list, frame);
   if (vertices.empty()) return;
+  glDepthMask(GL_FALSE);
+  enable_blending();
+  glEnable(GL_DEPTH_TEST);
   fill_program_.use();
   fills_.upload(std::span<const FillVertex>(vertices));
   glDepthFunc(GL_LEQUAL);
@@ -56,6 +58,7 @@ void ListPass::draw_fills(const ViewPicture& picture, const PictureFrame& frame)
     fills_.draw_triangles();
   }
   glDisable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
 }
 
 void ListPass::draw_list_lines(const ViewPicture& picture, const PictureFrame& frame, Seen seen) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A DrawList over the scene, tested against its depth, which it leaves alone.
+// A DrawList over the scene, tested against the depth of the framebuffer in use, which it leaves alone.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,12 @@ namespace psm::gl {
 class ListPass {
  public:
   ListPass(const std::filesystem::path& shaders, const std::filesystem::path& font);
-  void draw(const ViewPicture& picture, const PictureFrame& frame);
+  /// Have no soft edges: wants several samples a pixel.
+  void draw_fills(const ViewPicture& picture, const PictureFrame& frame);
+  /// Soften their own edges: one sample a pixel will do.
+  void draw_lines_and_labels(const ViewPicture& picture, const PictureFrame& frame);
 
  private:
-  void draw_fills(const ViewPicture& picture, const PictureFrame& frame);
   void draw_list_lines(const ViewPicture& picture, const PictureFrame& frame, Seen seen);
   void draw_list_points(const ViewPicture& picture, const PictureFrame& frame, Seen seen);
   void draw_lines(std::span<const LineVertex> vertices);

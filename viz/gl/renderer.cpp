@@ -11,9 +11,9 @@
 #include "gl/gl_state.h"
 #include "gl/list_pass.h"
 #include "gl/map_pass.h"
+#include "gl/overlay_depth.h"
 #include "gl/scene_pass.h"
 #include "gl/shadow_pass.h"
-#include "gl/view_depth.h"
 #include "gl/view_target.h"
 #include "gl/visible_pass.h"
 
@@ -26,7 +26,7 @@ struct Renderer::State {
         map_pass(shaders),
         cover_pass(shaders),
         list_pass(shaders, font),
-        view_depth(shaders) {}
+        overlay_depth(shaders) {}
 
   gl::ViewTarget& target(ViewId id) { return targets[std::size_t(id)]; }
 
@@ -37,7 +37,7 @@ struct Renderer::State {
   gl::CoverPass cover_pass;
   gl::VisiblePass visible_pass;
   gl::ListPass list_pass;
-  gl::ViewDepth view_depth;
+  gl::OverlayDepth overlay_depth;
   gl::MultisampleTarget multisample;
   std::array<gl::ViewTarget, kAllViews.size()> targets;  // by ViewId
 };
@@ -130,8 +130,14 @@ std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& an
     s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, theme, ground);
   s.cover_pass.draw(picture);
   clear_outside(picture, size, transparent ? ground : glm::vec4(picture_outside(theme), 1.0f));
-  s.list_pass.draw(picture, {glm::dvec2(size), scale, theme});
+  const PictureFrame frame{glm::dvec2(size), scale, theme};
+  s.list_pass.draw_fills(picture, frame);
   target.resolve_from(s.multisample);
+  if (picture.list.lines.empty() && picture.list.points.empty())
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+  else
+    s.overlay_depth.attach(s.multisample, target);
+  s.list_pass.draw_lines_and_labels(picture, frame);
   gl::check_errors("draw_view");
   return target.texture();
 }
@@ -144,11 +150,10 @@ Image Renderer::read_view(ViewId id) {
   return image;
 }
 
-std::vector<float> Renderer::read_view_depth(ViewId id) {
+std::vector<float> Renderer::read_overlay_depth() {
   const gl::StateGuard guard;
-  State& s = *state_;
-  std::vector<float> depth = s.view_depth.read(s.multisample, s.target(id).size());
-  gl::check_errors("read_view_depth");
+  std::vector<float> depth = state_->overlay_depth.read();
+  gl::check_errors("read_overlay_depth");
   return depth;
 }
 

@@ -47,8 +47,9 @@ class Renderer {
   /// What draw_view drew last for this id; colours are not multiplied by their opacity.
   Image read_view(ViewId id);
 
-  /// The depth of what draw_view drew last, in [0, 1], rows top to bottom, of the size that it was drawn in.
-  std::vector<float> read_view_depth(ViewId id);
+  /// The depth that lines over what draw_view drew last were tested against, in [0, 1], rows top to bottom, of the size that it
+  /// was drawn in.
+  std::vector<float> read_overlay_depth();
 
   /// What the map that was drawn last says at each pixel of the eye's image, width x height, rows top to bottom, whichever way
   /// the surface faces the light: dark where less than half of the filter's comparisons are lit.

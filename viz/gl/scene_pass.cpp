@@ -16,7 +16,6 @@ namespace psm::gl {
 namespace {
 
 constexpr double kConeEdge = glm::radians(1.0);  // how soft a spot's edge is, inwards
-constexpr float kPushBack = 1.5f;                // pixels of slope
 constexpr float kPointSize = 4.0f;               // pixels at scale 1, of a mesh's points
 constexpr double kFadeStart = 0.75;              // of the cube's limit, as in scene.frag
 
@@ -202,8 +201,6 @@ ScenePass::ScenePass(const std::filesystem::path& shaders)
       one_map_{Program(shaders, "scene", "scene", "#define ONE_MAP\n"),
                Program(shaders, "scene", "scene", "#define ONE_MAP\n#define MAY_DISCARD\n")},
       many_maps_{Program(shaders, "scene", "scene"), Program(shaders, "scene", "scene", "#define MAY_DISCARD\n")},
-      depth_{Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n"),
-             Program(shaders, "scene", "scene", "#define DEPTH_ONLY\n#define MAY_DISCARD\n")},
       verdicts_{Program(shaders, "scene", "scene", "#define VERDICT\n"),
                 Program(shaders, "scene", "scene", "#define VERDICT\n#define MAY_DISCARD\n")},
       heat_{Program(shaders, "scene", "texels"), Program(shaders, "scene", "texels", "#define MAY_DISCARD\n")},
@@ -263,19 +260,6 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
   }
-  const DrawList& list = picture.list;
-  if (list.lines.empty() && list.fills.empty() && list.points.empty()) return;
-
-  // The depth again, for what is drawn over the scene: farther by a line's width of slope, so that lines on a surface keep both
-  // halves of their width. Not in the pass that one sees, where it would let back faces through at silhouettes.
-  const float far_end = 1.0f;
-  glClearBufferfv(GL_DEPTH, 0, &far_end);
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(kPushBack, 1.0f);
-  draw_scene(depth_, values, scene, sides);
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void ScenePass::draw_verdicts(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map) {

@@ -38,7 +38,7 @@ class ScenePass {
 
   std::filesystem::path shaders_;
   Pair one_map_, many_maps_;  // a loop over maps costs software renderers much even where there is one
-  Pair depth_, verdicts_, heat_, grid_, surface_points_;
+  Pair verdicts_, heat_, grid_, surface_points_;
   std::unique_ptr<Pair> lookup_shading_, lookup_verdicts_;
 };
 

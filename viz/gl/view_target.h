@@ -29,6 +29,7 @@ class ViewTarget {
  public:
   void resize(glm::ivec2 size);
   void resolve_from(const MultisampleTarget& source);
+  GLuint framebuffer() const { return framebuffer_.get(); }
   GLuint texture() const { return texture_.get(); }
   glm::ivec2 size() const { return size_; }
   std::vector<std::uint8_t> read_top_to_bottom() const;
