@@ -70,17 +70,23 @@ void add_curves(CLI::App& app, CurvesText& curves) {
       ->type_name("LIST");
 }
 
-void add_sweep(CLI::App& app, std::optional<std::string>& sweep) {
-  app.add_option(
-         "--sweep", sweep,
-         "Takes a number of the experiment from A to B in COUNT pictures, numbered from NAME_0001, or as a film (.mp4, .gif, "
-         "by ffmpeg): camera.near, light.position.x, light.theta_deg ...")
+CLI::Option* add_sweep(CLI::App& app, std::optional<std::string>& sweep) {
+  return app
+      .add_option(
+          "--sweep", sweep,
+          "Takes a number of the experiment from A to B in COUNT pictures, numbered from NAME_0001, or as a film (.mp4, .gif, "
+          "by ffmpeg): camera.near, light.position.x, light.theta_deg ...")
       ->type_name("PATH=A:B:COUNT");
 }
 
 void add_render(CLI::App& app, RenderArguments& render) {
-  add_experiment(app, render.experiment);
-  app.add_option("--view", render.views, "Comma-separated list of " + view_names() + "; without it, the first four")
+  CLI::Option* experiment = add_experiment(app, render.experiment);
+  auto* lesson = app.add_option("--lesson", render.lesson,
+                                "Draws a step of a lesson as it begins: its name or folder, /3 behind it for its third step")
+                     ->type_name("NAME")
+                     ->excludes(experiment);
+  app.add_option("--view", render.views,
+                 "Comma-separated list of " + view_names() + "; without it, the first four, or those of the lesson's step")
       ->type_name("LIST");
   app.add_option("--out", render.out, "The picture to write, .png, .svg or .pdf; several views share it in two columns")
       ->type_name("FILE")
@@ -90,7 +96,12 @@ void add_render(CLI::App& app, RenderArguments& render) {
   app.add_option("--scale", render.scale, "Enlarges lines and type, in [0.25, 8]")->type_name("S");
   app.add_option("--theme", render.theme, "light or dark")->type_name("THEME");
   app.add_flag("--transparent", render.transparent, "Leaves out the background");
-  add_sweep(app, render.sweep);
+  CLI::Option* sweep = add_sweep(app, render.sweep);
+  app.add_flag("--animation", render.animation,
+               "Plays the animation of the lesson's step, in pictures numbered from NAME_0001; a film (.mp4, .gif) plays it "
+               "without being told")
+      ->needs(lesson)
+      ->excludes(sweep);
 }
 
 void add_figure(CLI::App& app, FigureArguments& figure) {

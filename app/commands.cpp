@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "app/command_line.h"
+#include "app/film.h"
 #include "app/headless_context.h"
 #include "app/lessons.h"
 #include "app/numbers.h"
@@ -25,10 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<std::vector<ViewId>> parse_views(const std::optional<std::string>& names) {
+Result<std::vector<ViewId>> parse_views(const std::string& names) {
   std::vector<ViewId> views;
-  if (!names) views.assign(kMainViews.begin(), kMainViews.end());
-  for (const std::string& name : names ? split(*names, ',') : std::vector<std::string>()) {
+  for (const std::string& name : split(names, ',')) {
     const auto view = view_from_name(name);
     if (!view) return flag_error("--view", name, "a list of: " + view_names());
     views.push_back(*view);
@@ -48,12 +48,21 @@ Result<glm::ivec2> size_of(const ImageSettings& image) {
   return check_size(image.width, image.height, std::to_string(image.width) + "x" + std::to_string(image.height));
 }
 
-Result<RenderRequest> parse_request(const RenderArguments& arguments, const ImageSettings& image) {
+/// An experiment with the first four views, or a step of a lesson with its own.
+Result<LessonPicture> subject_of(const RenderArguments& arguments) {
+  if (arguments.lesson) return lesson_picture(*arguments.lesson, arguments.experiment.overrides);
+  auto loaded = load(arguments.experiment);
+  if (!loaded) return loaded.error();
+  return LessonPicture{std::move(*loaded), {kMainViews.begin(), kMainViews.end()}, {}, std::nullopt};
+}
+
+Result<RenderRequest> parse_request(const RenderArguments& arguments, const LessonPicture& subject) {
   RenderRequest request;
-  auto views = parse_views(arguments.views);
+  request.highlighted = subject.highlighted;
+  const auto views = arguments.views ? parse_views(*arguments.views) : subject.views;
   if (!views) return views.error();
   request.views = *views;
-  const auto size = arguments.size ? parse_size(*arguments.size) : size_of(image);
+  const auto size = arguments.size ? parse_size(*arguments.size) : size_of(subject.loaded.experiment.image);
   if (!size) return size.error();
   request.size = *size;
   const auto scale = number_from_text(arguments.scale);
@@ -183,14 +192,19 @@ int print_curves(const CurvesText& text) {
 }
 
 int render_views(const RenderArguments& arguments) {
-  const auto sweep = parse_sweep(arguments.sweep);
+  auto sweep = parse_sweep(arguments.sweep);
   if (!sweep) return bad_input(sweep.error());
-  if (auto error = check_picture_name(arguments.out, sweep->has_value())) return bad_input(*error);
-  const auto loaded = load(arguments.experiment);
-  if (!loaded) return bad_input(loaded.error());
-  const auto request = parse_request(arguments, loaded->experiment.image);
+  const bool plays = arguments.animation || (arguments.lesson && !*sweep && is_film(arguments.out));
+  if (auto error = check_picture_name(arguments.out, plays || sweep->has_value())) return bad_input(*error);
+  const auto subject = subject_of(arguments);
+  if (!subject) return bad_input(subject.error());
+  if (plays && !subject->animation)
+    return bad_input(flag_error("--lesson", *arguments.lesson,
+                                "a step that has an animation; of one without, a .png, .svg or .pdf, or a --sweep"));
+  if (plays) *sweep = frames_of(*subject->animation);
+  const auto request = parse_request(arguments, *subject);
   if (!request) return bad_input(request.error());
-  return draw_to_file(*loaded, *request, *sweep, arguments.out);
+  return draw_to_file(subject->loaded, *request, *sweep, arguments.out);
 }
 
 int list_scenes() {

@@ -19,7 +19,9 @@ struct ExperimentArguments {
 
 struct RenderArguments {
   ExperimentArguments experiment;
-  std::optional<std::string> views;  // none: all four
+  std::optional<std::string> lesson;  // instead of an experiment: a step of a lesson
+  bool animation = false;             // of that step
+  std::optional<std::string> views;   // none: the step's, or the first four
   std::string out;
   std::optional<std::string> size;  // none: the experiment's image
   std::string scale = "1", theme = "light";

@@ -64,11 +64,10 @@ PagePanel plate_panel(const SidePlate& plate, const FontFace& font, const Sheet&
 }
 
 void add_compared_panels(Sheet& sheet, const std::shared_ptr<const LoadedExperiment>& loaded, const std::vector<ViewId>& views,
-                         const std::vector<glm::ivec2>& origins, const glm::ivec2& tile) {
+                         const std::vector<Rect>& places) {
   const ViewSettings& view = loaded->experiment.view;
   const auto second = std::make_shared<LoadedExperiment>(*loaded);
   second->experiment.shadow.technique = *view.compare;
-  const int half = std::max(1, (tile.x - px(kGap, sheet.scale)) / 2);
   for (const char side : {'B', 'A'})
     for (std::size_t i = 0; i < views.size(); ++i) {
       const bool shared = is_compared(views[i]), whole = !shared || is_split(views[i], view);
@@ -76,11 +75,11 @@ void add_compared_panels(Sheet& sheet, const std::shared_ptr<const LoadedExperim
       SheetPanel panel;
       panel.loaded = side == 'A' ? loaded : second;
       panel.view = views[i];
-      panel.top_left = origins[i];
-      panel.size = tile;
+      panel.top_left = places[i].min;
+      panel.size = places[i].size();
       panel.side = shared ? side : '\0';
-      if (!whole) panel.size.x = half;
-      if (!whole && side == 'B') panel.top_left.x += tile.x - half;
+      if (!whole) panel.size.x = std::max(1, (panel.size.x - px(kGap, sheet.scale)) / 2);
+      if (!whole && side == 'B') panel.top_left.x = places[i].max.x - panel.size.x;
       sheet.panels.push_back(std::move(panel));
     }
 }

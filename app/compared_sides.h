@@ -8,6 +8,7 @@
 #include "app/caption.h"
 #include "app/sheet.h"
 #include "draw/font_face.h"
+#include "ui/layout.h"
 
 namespace psm {
 
@@ -26,9 +27,9 @@ std::vector<SidePlate> side_plates(const SheetPanel& panel, const Analysis& anal
 void draw_plate(const SidePlate& plate, const Caption& caption, const Sheet& sheet, Image& whole);
 PagePanel plate_panel(const SidePlate& plate, const FontFace& font, const Sheet& sheet);
 
-/// Adds the views as panels, each in a tile of this size: those that both techniques share twice, all of B's before A's, because
+/// Adds the views as panels, each at its place: those that both techniques share twice, all of B's before A's, because
 /// a painter keeps what the last panel needed.
 void add_compared_panels(Sheet& sheet, const std::shared_ptr<const LoadedExperiment>& loaded, const std::vector<ViewId>& views,
-                         const std::vector<glm::ivec2>& origins, const glm::ivec2& tile);
+                         const std::vector<Rect>& places);
 
 }  // namespace psm

@@ -36,12 +36,13 @@ int run(std::vector<std::string> command) {
 
 }  // namespace
 
+bool is_film(const fs::path& file) { return file.extension() == ".mp4" || file.extension() == ".gif"; }
+
 std::optional<InputError> film_missing() {
   const char* path = std::getenv("PATH");
   for (const std::string& folder : split(path ? path : "", ':'))
     if (!folder.empty() && access((fs::path(folder) / "ffmpeg").c_str(), X_OK) == 0) return std::nullopt;
-  return InputError{
-      "--out: a film needs ffmpeg, which is not installed; allowed: a .png name for numbered pictures, or install ffmpeg"};
+  return InputError{"a film needs ffmpeg, which is not installed; allowed: a .png name for numbered pictures, or install ffmpeg"};
 }
 
 std::optional<InputError> write_film(const fs::path& frames, const fs::path& film) {
@@ -49,8 +50,8 @@ std::optional<InputError> write_film(const fs::path& frames, const fs::path& fil
   // Films of this kind have sides of even length; a GIF gets a palette of its own.
   const char* filter = film.extension() == ".gif" ? "split[a][b];[a]palettegen[p];[b][p]paletteuse"
                                                   : "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,format=yuv420p";
-  const int status = run({"ffmpeg", "-nostdin", "-y", "-framerate", "25", "-i", (frames / "frame_%04d.png").string(),
-                          "-filter_complex", filter, finished.string()});
+  const int status = run({"ffmpeg", "-nostdin", "-y", "-framerate", std::to_string(kFramesPerSecond), "-i",
+                          (frames / "frame_%04d.png").string(), "-filter_complex", filter, finished.string()});
   std::error_code error;
   if (status != 0) return InputError{film.string() + ": ffmpeg could not write it (exit status " + std::to_string(status) + ")"};
   fs::rename(finished, film, error);

@@ -59,6 +59,23 @@ std::vector<std::string> reachable_lessons(const fs::path& folder) {
   return names;
 }
 
+struct FoundStep {
+  Lesson lesson;
+  std::size_t index = 0;
+};
+
+/// Of "NAME" or "NAME/3", as --lesson takes it.
+Result<FoundStep> find_step(const std::string& argument) {
+  std::string name = argument;
+  const std::size_t step = take_lesson_step(name);
+  const auto folder = lesson_folder(name);
+  auto lesson = folder ? read_lesson(*folder) : folder.error();
+  if (!lesson) return InputError{"--lesson " + lesson.error().text};
+  const std::size_t count = lesson->steps.size();
+  if (step >= count) return flag_error("--lesson", argument, "a step from 1 to " + std::to_string(count));
+  return FoundStep{std::move(*lesson), step};
+}
+
 }  // namespace
 
 Analyze ray_traced_analyze() {
@@ -76,13 +93,27 @@ Analyze ray_traced_analyze() {
 }
 
 std::optional<InputError> check_lesson_argument(const std::string& argument) {
-  std::string name = argument;
-  const std::size_t step = take_lesson_step(name);
-  const auto folder = lesson_folder(name);
-  const auto lesson = folder ? read_lesson(*folder) : folder.error();
-  if (!lesson) return InputError{"--lesson " + lesson.error().text};
-  if (step < lesson->steps.size()) return std::nullopt;
-  return flag_error("--lesson", argument, "a step from 1 to " + std::to_string(lesson->steps.size()));
+  const auto found = find_step(argument);
+  return found ? std::nullopt : std::optional(found.error());
+}
+
+Result<LessonPicture> lesson_picture(const std::string& argument, const std::vector<std::string>& overrides) {
+  const auto found = find_step(argument);
+  if (!found) return found.error();
+  const auto& [lesson, index] = *found;
+  const auto given = members_from_overrides(overrides);
+  if (!given) return InputError{"--set " + given.error().text};
+  ExperimentMembers members = members_at_start(lesson, index);
+  members.add(*given);
+  auto loaded = load_members(members, "--lesson " + quotable(argument), lesson.folder);
+  if (!loaded) return loaded.error();
+  const Step& step = lesson.steps[index];
+  LessonPicture picture{std::move(*loaded), {}, {}, step.animation};
+  for (const std::string& name : step.views)
+    if (const auto view = view_from_name(name)) picture.views.push_back(*view);
+  for (const std::string& name : step.highlight)
+    if (const auto role = role_from_name(name)) picture.highlighted.push_back(*role);
+  return picture;
 }
 
 int list_lessons() {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/draw_list.h"
 #include "lesson/check.h"
 
 namespace psm {
@@ -15,6 +16,17 @@ int list_lessons();
 /// Each file is a lesson's folder, its lesson.json, or the name of a shipped lesson; none: all that are shipped. What is wrong
 /// goes to standard error, a line each.
 int check_lessons(const std::vector<std::string>& files);
+
+/// A step of a lesson as it begins.
+struct LessonPicture {
+  LoadedExperiment loaded;
+  std::vector<ViewId> views;
+  std::vector<Role> highlighted;
+  std::optional<Animation> animation;
+};
+/// `argument`: a lesson as above, "/3" behind it for its third step. `overrides`, as of --set, go over its experiment. Errors
+/// start with the flag.
+Result<LessonPicture> lesson_picture(const std::string& argument, const std::vector<std::string>& overrides);
 
 /// What --lesson opens can be read: a lesson as above, "/3" behind it for its third step.
 std::optional<InputError> check_lesson_argument(const std::string& argument);

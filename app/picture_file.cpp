@@ -16,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_film(const fs::path& out) { return out.extension() == ".mp4" || out.extension() == ".gif"; }
-
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
 /// A folder beside the target, gone with this object.
@@ -48,16 +46,16 @@ std::string numbered(const std::string& stem, std::size_t index, const std::stri
 }
 
 /// The sheet with the control at this value in every experiment; experiments that were the same stay the same.
-Result<Sheet> sheet_at(const Sheet& sheet, const std::string& path, double value) {
+Result<Sheet> sheet_at(const Sheet& sheet, const PictureSweep& sweep, double value) {
   Sheet changed = sheet;
   std::map<const LoadedExperiment*, std::shared_ptr<const LoadedExperiment>> moved;
   for (SheetPanel& panel : changed.panels) {
     auto& target = moved[panel.loaded.get()];
     if (!target) {
       const auto copy = std::make_shared<LoadedExperiment>(*panel.loaded);
-      const auto control = find_control(path, copy->experiment);
-      if (!control) return InputError{"--sweep " + control.error().text};
-      if (const auto error = (*control)(copy->experiment, value)) return InputError{"--sweep " + error->text};
+      const auto control = find_control(sweep.path, copy->experiment);
+      if (!control) return InputError{sweep.asked_by + " " + control.error().text};
+      if (const auto error = (*control)(copy->experiment, value)) return InputError{sweep.asked_by + " " + error->text};
       target = copy;
     }
     panel.loaded = target;
@@ -68,7 +66,7 @@ Result<Sheet> sheet_at(const Sheet& sheet, const std::string& path, double value
 std::optional<InputError> write_frames(SheetPainter& painter, const Sheet& sheet, const PictureSweep& sweep,
                                        const fs::path& folder, const std::string& extension) {
   for (std::size_t i = 0; i < sweep.values.size(); ++i) {
-    const auto frame = sheet_at(sheet, sweep.path, sweep.values[i]);
+    const auto frame = sheet_at(sheet, sweep, sweep.values[i]);
     if (!frame) return frame.error();
     const fs::path file = folder / numbered("frame", i, extension);
     const auto bytes = sheet_bytes(painter, *frame, file);
@@ -111,22 +109,30 @@ Result<std::optional<PictureSweep>> parse_sweep(const std::optional<std::string>
   if (!first || !last || !count || !std::isfinite(*first) || !std::isfinite(*last) || !(*count >= 2 && *count <= 9999) ||
       std::trunc(*count) != *count)
     return flag_error("--sweep", *text, "PATH=A:B:COUNT, such as light.theta_deg=10:90:50, with COUNT in [2, 9999]");
-  PictureSweep sweep{text->substr(0, equals), {}};
+  PictureSweep sweep{"--sweep", text->substr(0, equals), {}};
   for (int i = 0; i < int(*count); ++i) sweep.values.push_back(*first + (*last - *first) * i / (*count - 1));
   return std::optional(sweep);
 }
 
-std::optional<InputError> check_picture_name(const std::string& out, bool sweeps) {
+PictureSweep frames_of(const Animation& animation) {
+  PictureSweep sweep{"animation", animation.path, {}};
+  const int last = std::max(1, int(std::lround(animation.seconds * kFramesPerSecond)));
+  for (int i = 0; i <= last; ++i) sweep.values.push_back(animation.at(animation.seconds * i / last));
+  return sweep;
+}
+
+std::optional<InputError> check_picture_name(const std::string& out, bool sweeps, const char* asked_by) {
   const fs::path path = out;
   const std::string extension = path.extension().string();
   const bool still = extension == ".png" || extension == ".svg" || extension == ".pdf";
   if (path.stem().empty() || !(still || (sweeps && is_film(path))))
-    return flag_error("--out", out,
+    return flag_error(asked_by, out,
                       std::string("the name of a .png, .svg or .pdf file") + (sweeps ? ", or of a .mp4 or .gif" : ""));
   std::error_code error;
-  if (!fs::is_directory(folder_of(path), error)) return flag_error("--out", out, "a file in an existing folder");
-  if (is_film(path)) return film_missing();
-  return extension == ".pdf" ? pdf_missing() : std::nullopt;
+  if (!fs::is_directory(folder_of(path), error)) return flag_error(asked_by, out, "a file in an existing folder");
+  if (!is_film(path)) return extension == ".pdf" ? pdf_missing() : std::nullopt;
+  const auto missing = film_missing();
+  return missing ? std::optional(InputError{std::string(asked_by) + ": " + missing->text}) : std::nullopt;
 }
 
 std::optional<InputError> write_pictures(SheetPainter& painter, const Sheet& sheet, const std::optional<PictureSweep>& sweep,

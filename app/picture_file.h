@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "app/sheet.h"
+#include "lesson/lesson.h"
 
 namespace psm {
 
 /// One number of the experiment, taken through a range.
 struct PictureSweep {
+  std::string asked_by;  // "--sweep": for messages
   std::string path;
   std::vector<double> values;
 };
@@ -20,8 +22,11 @@ struct PictureSweep {
 /// PATH=A:B:COUNT.
 Result<std::optional<PictureSweep>> parse_sweep(const std::optional<std::string>& text);
 
-/// What is wrong with it as a target, before anything is drawn.
-std::optional<InputError> check_picture_name(const std::string& out, bool sweeps);
+/// A lesson's animation, frame by frame.
+PictureSweep frames_of(const Animation& animation);
+
+/// What is wrong with it as a target, before anything is drawn. `asked_by`: the flag, for the message.
+std::optional<InputError> check_picture_name(const std::string& out, bool sweeps, const char* asked_by = "--out");
 
 /// Draws and writes; an error where a value of the sweep is not allowed, or a file cannot be written. Needs a current OpenGL
 /// context.

@@ -14,22 +14,21 @@ constexpr int kSmallestTile = 16;
 }  // namespace
 
 Result<RenderLayout> lay_out(const RenderRequest& request) {
-  RenderLayout layout;
   const int count = int(request.views.size()), columns = count > 1 ? 2 : 1, rows = (count + columns - 1) / columns;
-  if (count > 1) {
-    layout.status_height = int(std::lround(28 * request.scale));
-    layout.gap = std::max(1, int(std::lround(4 * request.scale)));
-  }
-  layout.tile.x = (request.size.x - (columns - 1) * layout.gap) / columns;
-  layout.tile.y = (request.size.y - layout.status_height - (rows - 1) * layout.gap) / rows;
+  const int status = count > 1 ? int(std::lround(28 * request.scale)) : 0;
+  const int gap = count > 1 ? std::max(1, int(std::lround(4 * request.scale))) : 0;
+  const glm::ivec2 tile((request.size.x - (columns - 1) * gap) / columns, (request.size.y - status - (rows - 1) * gap) / rows);
   const int smallest = count > 1 ? kSmallestTile : 1;
-  if (layout.tile.x < smallest || layout.tile.y < smallest)
+  if (tile.x < smallest || tile.y < smallest)
     return InputError{"--size: " + std::to_string(request.size.x) + "x" + std::to_string(request.size.y) + " is too small for " +
-                      std::to_string(count) + " views; allowed: at least " +
-                      std::to_string(columns * (smallest + layout.gap) - layout.gap) + "x" +
-                      std::to_string(rows * (smallest + layout.gap) - layout.gap + layout.status_height)};
-  for (int i = 0; i < count; ++i)
-    layout.origins.push_back({(i % columns) * (layout.tile.x + layout.gap), (i / columns) * (layout.tile.y + layout.gap)});
+                      std::to_string(count) + " views; allowed: at least " + std::to_string(columns * (smallest + gap) - gap) +
+                      "x" + std::to_string(rows * (smallest + gap) - gap + status)};
+  RenderLayout layout{{}, status};
+  for (int i = 0; i < count; ++i) {
+    const glm::ivec2 corner = glm::ivec2(i % columns, i / columns) * (tile + gap);
+    const bool over_both = columns == 2 && i % 2 == 0 && i == count - 1;
+    layout.places.push_back({corner, corner + glm::ivec2(over_both ? 2 * tile.x + gap : tile.x, tile.y)});
+  }
   return layout;
 }
 
@@ -42,13 +41,14 @@ Sheet sheet_of(const LoadedExperiment& loaded, const RenderRequest& request, con
   sheet.background = glm::vec3(request.theme == Theme::dark ? 0.12f : 0.86f);
   sheet.title = loaded.scene.id;
   sheet.status_height = layout.status_height;
+  sheet.highlighted = request.highlighted;
   const auto shared = std::make_shared<const LoadedExperiment>(loaded);
   if (loaded.experiment.view.compare) {
-    add_compared_panels(sheet, shared, request.views, layout.origins, layout.tile);
+    add_compared_panels(sheet, shared, request.views, layout.places);
     return sheet;
   }
   for (std::size_t i = 0; i < request.views.size(); ++i)
-    sheet.panels.push_back({shared, request.views[i], false, std::nullopt, {}, layout.origins[i], layout.tile});
+    sheet.panels.push_back({shared, request.views[i], false, std::nullopt, {}, layout.places[i].min, layout.places[i].size()});
   return sheet;
 }
 

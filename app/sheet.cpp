@@ -8,6 +8,7 @@
 #include "app/caption.h"
 #include "app/compared_sides.h"
 #include "app/pixels.h"
+#include "draw/emphasis.h"
 #include "draw/probe.h"
 #include "figure/png.h"
 #include "figure/view_panel.h"
@@ -85,9 +86,10 @@ struct SheetPainter::State {
     renderer.update_shadow_map(analysis);
   }
 
-  ViewPicture describe(const SheetPanel& panel, double scale) {
+  ViewPicture describe(const SheetPanel& panel, const Sheet& sheet) {
     prepare(panel.loaded);
-    ViewPicture picture = describe_view(panel.view, analysis, loaded->scene, panel.size, scale);
+    ViewPicture picture = describe_view(panel.view, analysis, loaded->scene, panel.size, sheet.scale);
+    emphasise(picture.list, sheet.highlighted);
     if (panel.view == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay))
       show_overlay(picture, trace_overlay(renderer, *tracer, analysis, kAllPixels));
     if (probe) append(picture.list, probe_list(*probe, panel.view, analysis, panel.size));
@@ -129,7 +131,7 @@ Image SheetPainter::image(const Sheet& sheet) {
   Image whole = filled(sheet.size, background);
   std::vector<SidePlate> plates;
   for (const SheetPanel& panel : sheet.panels) {
-    const ViewPicture picture = state_->describe(panel, sheet.scale);
+    const ViewPicture picture = state_->describe(panel, sheet);
     const int samples = sheet.supersampled ? samples_along(panel.size) : 1;
     const Image image = state_->draw(picture, sheet, panel.size, samples);
     paste(samples == 2 ? halved(image) : image, shown_columns(panel), panel.top_left, whole);
@@ -153,7 +155,7 @@ Result<Page> SheetPainter::page(const Sheet& sheet) {
   std::vector<SidePlate> plates;
   for (const SheetPanel& panel : sheet.panels) {
     const PictureFrame frame{panel.size, sheet.scale, sheet.theme};
-    const ViewPicture picture = state_->describe(panel, sheet.scale);
+    const ViewPicture picture = state_->describe(panel, sheet);
     page.panels.push_back(view_panel(picture, frame, state_->raster(picture, sheet, panel.size, frame), panel.top_left, *font));
     const glm::ivec2 columns = shown_columns(panel);
     page.panels.back().top_left.x += columns.x;

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "app/assets.h"
+#include "app/window_picture.h"
 #include "figure/png.h"
 #include "ui/host.h"
 
@@ -120,6 +121,7 @@ WorkbenchOptions App::options(const std::string& lesson) {
   options.write_picture = [](const std::filesystem::path& file, const Image& image) {
     return write_png(file, image.width, image.height, image.rgba);
   };
+  options.write_views = write_shown_views;
   return options;
 }
 

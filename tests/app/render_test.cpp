@@ -43,8 +43,9 @@ TEST(Render, SeveralViewsShareAPicture) {
   const Image image = rendered({"ground", "--view", "world,cube,map,eye", "--size", "640x480"});
   ASSERT_EQ(image.width, 640);
   ASSERT_EQ(image.height, 480);
-  for (const glm::ivec2& origin : layout->origins)
-    EXPECT_TRUE(shows_something(image, origin.x, origin.y, layout->tile.x, layout->tile.y)) << origin.x << " " << origin.y;
+  for (const Rect& place : layout->places)
+    EXPECT_TRUE(shows_something(image, place.min.x, place.min.y, place.size().x, place.size().y))
+        << place.min.x << " " << place.min.y;
   ASSERT_GT(layout->status_height, 0);
   EXPECT_TRUE(shows_something(image, 0, 480 - layout->status_height, 640, layout->status_height));
 }
@@ -108,19 +109,29 @@ TEST(Layout, ViewsDoNotOverlapAndStayInside) {
     request.size = {333, 257};
     const auto layout = lay_out(request);
     ASSERT_TRUE(layout);
-    ASSERT_EQ(int(layout->origins.size()), count);
+    ASSERT_EQ(int(layout->places.size()), count);
     for (int i = 0; i < count; ++i) {
-      const glm::ivec2 a = layout->origins[i];
-      EXPECT_GE(a.x, 0);
-      EXPECT_GE(a.y, 0);
-      EXPECT_LE(a.x + layout->tile.x, request.size.x);
-      EXPECT_LE(a.y + layout->tile.y, request.size.y - layout->status_height);
+      const Rect& a = layout->places[i];
+      EXPECT_GE(std::min(a.min.x, a.min.y), 0);
+      EXPECT_FALSE(a.empty());
+      EXPECT_LE(a.max.x, request.size.x);
+      EXPECT_LE(a.max.y, request.size.y - layout->status_height);
       for (int j = 0; j < i; ++j) {
-        const glm::ivec2 b = layout->origins[j];
-        EXPECT_TRUE(std::abs(a.x - b.x) >= layout->tile.x || std::abs(a.y - b.y) >= layout->tile.y);
+        const Rect& b = layout->places[j];
+        EXPECT_TRUE(a.min.x >= b.max.x || b.min.x >= a.max.x || a.min.y >= b.max.y || b.min.y >= a.max.y);
       }
     }
   }
+}
+
+TEST(Layout, AnOddLastViewTakesTheWholeWidth) {
+  RenderRequest request;
+  request.views.assign(std::begin(kMainViews), std::begin(kMainViews) + 3);
+  request.size = {320, 240};
+  const auto layout = lay_out(request);
+  ASSERT_TRUE(layout);
+  EXPECT_EQ(layout->places[2].min.x, 0);
+  EXPECT_EQ(layout->places[2].max.x, layout->places[1].max.x);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "app/assets.h"
+#include "app/window_picture.h"
 #include "figure/png.h"
 
 namespace psm::test {
@@ -39,6 +40,7 @@ Bench::Bench(const std::string& source, const std::vector<std::string>& override
   options.write_picture = [](const std::filesystem::path& file, const Image& image) {
     return write_png(file, image.width, image.height, image.rgba);
   };
+  options.write_views = write_shown_views;
   workbench_ = std::make_unique<Workbench>(*loaded, options);
   settle();
 }

@@ -140,6 +140,7 @@ TEST_F(WindowTest, OpensAnswersSavesAndCloses) {
   key("3");
   key("0");
   key("p");
+  key("Return");
   const auto picture = folder_.path() / "psmlab-ground-1.png";
   EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(picture); })) << "P saves no picture";
   key("ctrl+s");

@@ -145,17 +145,6 @@ TEST(Workbench, ChoosesScenesAndUndoesAcrossThem) {
   EXPECT_EQ(bench.work().model().scene().id, "ground");
 }
 
-TEST(Workbench, SavesPictures) {
-  Bench bench;
-  bench.key('P');
-  EXPECT_EQ(bench.work().last_picture(), bench.folder() / "psmlab-ground-1.png");
-  EXPECT_NE(bench.work().message().find("psmlab-ground-1.png"), std::string::npos);
-  bench.key('3');
-  bench.key(key::f12);
-  EXPECT_TRUE(std::filesystem::exists(bench.folder() / "psmlab-ground-1.png"));
-  EXPECT_TRUE(std::filesystem::exists(bench.folder() / "psmlab-ground-2.png"));
-}
-
 TEST(Workbench, AnyWindowSizeIsDrawn) {
   Bench bench;
   for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(320, 200), glm::ivec2(3840, 2160), glm::ivec2(1024, 768)}) {

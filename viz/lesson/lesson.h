@@ -2,6 +2,7 @@
 // A lesson: one plain value, read from a folder that holds lesson.json and text.md (lessons/README.md says what they may hold).
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -78,6 +79,12 @@ struct Claim {
 struct Animation {
   std::string path;  // of a number in the experiment, or light.theta_deg
   double from = 0.0, to = 1.0, seconds = 4.0;
+
+  /// Its value so many seconds after the start; gently at both ends.
+  double at(double time) const {
+    const double t = std::clamp(time / seconds, 0.0, 1.0);
+    return t < 1.0 ? from + t * t * (3.0 - 2.0 * t) * (to - from) : to;
+  }
 };
 
 struct Step {

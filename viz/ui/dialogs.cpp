@@ -19,6 +19,8 @@ const char* title_of(Dialogs::Kind kind) {
       return "Open";
     case Dialogs::Kind::save:
       return "Save experiment";
+    case Dialogs::Kind::picture:
+      return "Save picture";
     case Dialogs::Kind::error:
       return "That did not work";
     case Dialogs::Kind::help:
@@ -81,8 +83,8 @@ void Dialogs::show_error(const std::string& error, Kind asked, const std::string
 
 Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
   Answer answer;
+  age_ = shown_ == Kind::none ? 0 : age_ + 1;
   if (shown_ == Kind::none) return answer;
-  ++age_;
   const char* title = title_of(shown_);
   if (opens_) ImGui::OpenPopup(title);
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
@@ -94,8 +96,10 @@ Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
     return answer;
   }
   if (shown_ == Kind::open)
-    answer = path_dialog(ui, "An experiment (.psm.json), a .gltf or .glb file, or a scene's name:", "Open");
-  if (shown_ == Kind::save) answer = path_dialog(ui, "Where to save the experiment:", "Save");
+    answer.open = path_dialog(ui, "An experiment (.psm.json), a .gltf or .glb file, or a scene's name:", "Open");
+  if (shown_ == Kind::save) answer.save = path_dialog(ui, "Where to save the experiment:", "Save");
+  if (shown_ == Kind::picture)
+    answer.picture = path_dialog(ui, "The views as .png, .svg or .pdf; a lesson's animation as .mp4 or .gif:", "Save");
   if (shown_ == Kind::error) error_dialog(ui);
   if (shown_ == Kind::unsaved) answer = unsaved_dialog(ui);
   if (shown_ == Kind::help) help_dialog(ui);
@@ -109,24 +113,20 @@ Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
   return answer;
 }
 
-Dialogs::Answer Dialogs::path_dialog(UiContext& ui, const char* explanation, const char* confirm) {
-  const bool saves = shown_ == Kind::save;
+std::optional<std::string> Dialogs::path_dialog(UiContext& ui, const char* explanation, const char* confirm) {
   ImGui::TextUnformatted(explanation);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(std::min(30.0f * em(), 0.8f * ImGui::GetMainViewport()->Size.x));
   bool confirmed = ImGui::InputText("##path", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   note_place(ui, "dialog.path");
-  if (!saves) list_files(ui);
+  if (shown_ == Kind::open) list_files(ui);
   confirmed |= button(ui, confirm, "dialog.confirm");
   ImGui::SameLine();
   const bool cancelled = button(ui, "Cancel", "dialog.cancel");
-  Answer answer;
   if (cancelled) close();
-  if (confirmed && !text_.empty()) {
-    (saves ? answer.save : answer.open) = text_;
-    close();
-  }
-  return answer;
+  if (!confirmed || text_.empty()) return std::nullopt;
+  close();
+  return text_;
 }
 
 void Dialogs::list_files(UiContext& ui) {

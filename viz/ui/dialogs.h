@@ -14,27 +14,29 @@ namespace psm {
 
 class Dialogs {
  public:
-  enum class Kind { none, open, save, error, help, settings, unsaved };
+  enum class Kind { none, open, save, picture, error, help, settings, unsaved };
 
   void show(Kind kind, const std::string& text = "");  // text: the path to begin with, or what went wrong
   /// What went wrong with a path; afterwards the dialog that asked for it is there again, with the path.
   void show_error(const std::string& error, Kind asked, const std::string& path);
   Kind shown() const { return closing_ ? Kind::none : shown_; }
-  /// A new pop-up needs some frames until its first field takes keys; those typed meanwhile must wait.
-  bool settling() const { return shown() != Kind::none && age_ < 3; }
+  /// A new pop-up needs some frames until its first field takes keys, and ImGui one to forget the field of a closed one; keys
+  /// typed meanwhile must wait.
+  bool settling() const { return shown() != Kind::none ? age_ < 3 : age_ > 0; }
   /// It can be read and closed, nothing else: Enter closes it.
   bool only_closes() const { return shown() == Kind::error || shown() == Kind::help; }
   void close() { closing_ = true; }
 
   /// What the user has decided in this frame.
   struct Answer {
-    std::optional<std::string> open, save;
-    bool save_first = false, discard = false;  // of the question before quitting
+    std::optional<std::string> open, save, picture;  // a path
+    bool save_first = false, discard = false;        // of the question before quitting
   };
   Answer draw(UiContext& ui, Settings& settings);
 
  private:
-  Answer path_dialog(UiContext& ui, const char* explanation, const char* confirm);
+  /// The path, once it is confirmed.
+  std::optional<std::string> path_dialog(UiContext& ui, const char* explanation, const char* confirm);
   void list_files(UiContext& ui);
   void error_dialog(UiContext& ui);
   Answer unsaved_dialog(UiContext& ui);
@@ -46,7 +48,7 @@ class Dialogs {
 
   Kind shown_ = Kind::none;
   bool opens_ = false;    // in the next frame
-  int age_ = 0;           // frames
+  int age_ = 0;           // frames; 0 again in the frame after the end
   bool closing_ = false;  // at the end of this frame: ImGui must see a pop-up once more to let go of it
   std::string text_;
   Kind back_to_ = Kind::none;  // after an error

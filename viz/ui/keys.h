@@ -17,6 +17,7 @@ enum class Action {
   open,
   save,
   save_picture,
+  save_screen,
   reset,
   fit_views,
   maximise_world,

@@ -231,10 +231,10 @@ bool LessonPanel::play(const LessonSession& session, double now, Experiment& e) 
   const bool taken_over =
       !std::isnan(play_->last) && std::abs(animated(animation, e) - play_->last) > 1e-6 * (1.0 + std::abs(play_->last));
   if (taken_over) return play_.reset(), false;
-  const double t = std::clamp((now - play_->start) / animation.seconds, 0.0, 1.0), eased = t * t * (3.0 - 2.0 * t);
-  set_animated(animation, animation.from + eased * (animation.to - animation.from), *play_->theta_side, e);
+  const double time = now - play_->start;
+  set_animated(animation, animation.at(time), *play_->theta_side, e);
   play_->last = animated(animation, e);
-  if (t == 1.0) play_.reset();
+  if (time >= animation.seconds) play_.reset();
   return true;
 }
 

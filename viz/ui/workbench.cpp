@@ -250,6 +250,7 @@ void Workbench::dialogs(Frame& f) {
     quits_after_save_ = true;
   }
   if (answer.save) save(*answer.save);
+  if (answer.picture) save_views(f, *answer.picture);
   if (dialogs_.shown() == Dialogs::Kind::none) quits_after_save_ = false;
 }
 

@@ -22,6 +22,7 @@
 #include "ui/probe_hover.h"
 #include "ui/profile_panel.h"
 #include "ui/settings.h"
+#include "ui/shown_views.h"
 #include "ui/theme.h"
 #include "ui/view_images.h"
 #include "ui/view_tile.h"
@@ -35,6 +36,8 @@ struct WorkbenchOptions {
   std::filesystem::path lessons;         // the shipped ones' folder
   std::string lesson;                    // to begin with: a name or a folder, "/3" behind it for its third step; empty: none
   std::function<std::optional<InputError>(const std::filesystem::path&, const Image&)> write_picture;
+  /// The ending says what is written. An OpenGL context is current.
+  std::function<std::optional<InputError>(const std::filesystem::path&, const ShownViews&)> write_views;
 };
 
 /// The camera shift on its way from 0 to the automatic value.
@@ -149,8 +152,13 @@ class Workbench {
   int update_comparison(const Frame& f, const ViewSettings& shown, bool resting);
   void end_frame(Frame& f);
   void report_model();
+  std::filesystem::path free_picture_name(const std::string& ending) const;
   void ask_for_picture();
-  void save_picture(const Image& image);
+  ShownViews shown_views(const Frame& f);
+  void save_views(const Frame& f, const std::string& file);
+  void save_screen();
+  void write_screen(const Image& image);
+  void picture_saved(const std::filesystem::path& file);
   void change_technique(int step);
   void change_eye_overlay();
   void toggle_texel_grid();
@@ -198,6 +206,7 @@ class Workbench {
   std::string message_;
   std::string typed_path_;  // in the Open dialog, until it has been opened
   std::filesystem::path last_picture_;
+  std::string picture_ending_ = ".png";  // of the last name that was asked for
   int frames_left_ = 3;
   double next_wake_ = std::numeric_limits<double>::infinity();
   double views_ms_ = 0.0;

@@ -140,6 +140,8 @@ void Workbench::act(Action action) {
       return copy_curves();
     case Action::save_picture:
       return ask_for_picture();
+    case Action::save_screen:
+      return save_screen();
     case Action::toggle_lesson:
       return toggle_lesson_pane();
     case Action::quit:
@@ -292,31 +294,5 @@ void Workbench::show_opened(const std::string& message) {
 }
 
 std::string Workbench::window_title() const { return "psmlab: " + scene_stem(model_.experiment()); }
-
-// A view that is alone is saved by itself; several come with everything around them.
-void Workbench::ask_for_picture() {
-  const auto alone = model_.experiment().view.maximised;
-  if (alone && images_.texture(*alone) != 0)
-    save_picture(renderer_.read_view(*alone));
-  else
-    wants_screen_ = true;
-}
-
-void Workbench::take_screen(const Image& image) {
-  wants_screen_ = false;
-  save_picture(image);
-  wake();
-}
-
-void Workbench::save_picture(const Image& image) {
-  if (!options_.write_picture) return;
-  fs::path file;
-  std::error_code ignored;
-  for (int i = 1; file.empty() || fs::exists(file, ignored); ++i)
-    file = options_.pictures / ("psmlab-" + scene_stem(model_.experiment()) + "-" + std::to_string(i) + ".png");
-  if (const auto error = options_.write_picture(file, image)) return dialogs_.show(Dialogs::Kind::error, error->text);
-  last_picture_ = fs::absolute(file, ignored).lexically_normal();
-  message_ = "picture saved: " + last_picture_.string();
-}
 
 }  // namespace psm
