@@ -105,6 +105,71 @@ TEST_F(LessonPanelTest, AnAnswerUncoversTheViewAndReveals) {
   EXPECT_EQ(run().state().questions[0].choice, 0) << "an answer stands";
 }
 
+/// The button goes up, the answer is taken in the next frame, and the clock goes on by this much.
+void answer_and_wait(Bench& bench, double seconds) {
+  bench.press(bench.at("lesson.question.0.choice.0"));
+  bench.input().mouse_button(0, false);
+  bench.frame();
+  bench.frame();
+  bench.frame(seconds);
+}
+
+TEST_F(LessonPanelTest, ARevealTakesAMomentAndIsOneStepOfTheHistory) {
+  open();
+  const glm::dvec3 before = bench_->experiment().light.to_light;
+  answer_and_wait(*bench_, 0.2);
+  const double way = bench_->experiment().light.to_light.z;
+  EXPECT_TRUE(way > -0.5 && way < 0.0) << way;
+  bench_->settle();
+  EXPECT_EQ(bench_->experiment().light.to_light, glm::dvec3(0, 1, 0));
+  bench_->key('Z', {true, false, false});
+  EXPECT_EQ(bench_->experiment().light.to_light, before);
+}
+
+TEST_F(LessonPanelTest, AKeySkipsARevealAndDoesNothingElse) {
+  open();
+  answer_and_wait(*bench_, 0.1);
+  bench_->input().key(key::page_down, true);
+  bench_->frame();
+  EXPECT_EQ(bench_->experiment().light.to_light, glm::dvec3(0, 1, 0));
+  EXPECT_EQ(run().index(), 0u);
+}
+
+TEST_F(LessonPanelTest, WithoutMotionARevealIsThereAtOnce) {
+  Settings still = bench_->work().settings();
+  still.reduced_motion = true;
+  bench_->work().set_settings(still);
+  open();
+  answer_and_wait(*bench_, 0.001);
+  EXPECT_EQ(bench_->experiment().light.to_light, glm::dvec3(0, 1, 0));
+}
+
+TEST_F(LessonPanelTest, InFrontOfAClassAClickerGoesThroughScreensAnswersAndSteps) {
+  open();
+  bench_->key(key::f11);
+  for (const char* gone : {"lesson.list", "lesson.close", "lesson.next", "lesson.reset_step", "badge.time"})
+    EXPECT_FALSE(bench_->on_screen(gone)) << gone;
+  const Rect pane = bench_->work_places().at("lesson.pane"), title = bench_->work_places().at("bar.title");
+  for (const char* view : {"view.world", "view.cube"}) EXPECT_GE(bench_->work_places().at(view).min.x, pane.max.x);
+  EXPECT_GE(title.min.y, pane.max.y);
+  EXPECT_LE(bench_->work_places().at("bar.step").max.x, 1152);
+  EXPECT_TRUE(bench_->on_screen("cover.cube"));
+  bench_->key(key::page_down);
+  EXPECT_TRUE(run().state().questions[0].shown);
+  EXPECT_FALSE(bench_->on_screen("cover.cube"));
+  EXPECT_EQ(run().index(), 0u);
+  bench_->key(key::page_down);
+  EXPECT_EQ(run().index(), 1u);
+  bench_->key(key::enter);
+  EXPECT_EQ(run().state().tasks[0].hints, 1u);
+  bench_->key(key::enter);
+  EXPECT_TRUE(run().state().tasks[0].done);
+  bench_->key(key::left);
+  EXPECT_EQ(run().index(), 0u);
+  bench_->key(key::escape);
+  EXPECT_TRUE(bench_->on_screen("lesson.next"));
+}
+
 TEST_F(LessonPanelTest, ATaskIsSolvedByHandOrShown) {
   open();
   bench_->key(key::page_down);

@@ -73,6 +73,18 @@ TEST(Quit, SavesFirst) {
   }
 }
 
+TEST(Quit, AKeyRightAfterASaveIsNotLost) {
+  Bench bench;
+  change(bench);
+  bench.key('S', kControl);
+  bench.type((bench.folder() / "kept.psm.json").string());
+  for (const int code : {key::enter, key::control, int('Q')}) bench.input().key(code, true), bench.input().key(code, false);
+  bench.input().key(key::control, true);
+  bench.input().key('Q', true);
+  bench.settle();
+  EXPECT_TRUE(bench.work().wants_quit()) << "in the frame after the field has closed";
+}
+
 TEST(Quit, EnterTakesTheButtonThatTheArrowsReached) {
   Bench bench;
   asked(bench).key(key::right);

@@ -39,4 +39,13 @@ std::string light_case_text(const Analysis& analysis) {
   return text;
 }
 
+std::string short_light_case_text(const Analysis& analysis) {
+  const LightCase& c = analysis.light_case;
+  const bool point = c.post == PostLight::point, directional = c.post == PostLight::directional || c.within_half_texel;
+  return std::string(directional ? "directional light"
+                     : point     ? "point light"
+                                 : "inverted point light") +
+         "  w = " + short_number(c.w, 2);
+}
+
 }  // namespace psm

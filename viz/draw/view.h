@@ -73,5 +73,7 @@ OrbitCamera view_camera(ViewId id, const Analysis& analysis, double aspect);
 
 /// The badge at the bottom: light case, the number that decides, and its words.
 std::string light_case_text(const Analysis& analysis);
+/// What it is after projection alone: "inverted point light  w = -0.55".
+std::string short_light_case_text(const Analysis& analysis);
 
 }  // namespace psm

@@ -10,8 +10,9 @@ namespace psm {
 struct QuestionState {
   std::optional<int> choice;     // as answered
   std::optional<double> number;  // as answered
+  bool shown = false;            // nobody answered: the right answer was asked for
   double truth = 0.0;            // of a number, when it was answered
-  bool answered() const { return choice || number; }
+  bool answered() const { return choice || number || shown; }
   bool operator==(const QuestionState&) const = default;
 };
 

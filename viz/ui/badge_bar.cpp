@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 #include <cstdio>
 
@@ -86,18 +85,14 @@ std::vector<ImVec2> badge_corners(const std::vector<Badge>& badges, float width,
   return corners;
 }
 
-/// `room`: for its box. A text that is wider goes on in the next line; there is one where the badge stands alone.
-bool draw_badge(UiContext& ui, const Badge& badge, ImVec2 at, ImVec2 room) {
-  const float em = ImGui::GetFontSize(), y = at.y + 0.5f * gap();
-  const bool wraps = badge_width(badge) > room.x;
-  const float height = wraps ? room.y - gap() : line_height() - gap();
-  const ImVec2 end{at.x + std::min(badge_width(badge), room.x), y + height};
+bool draw_badge(UiContext& ui, const Badge& badge, ImVec2 at) {
+  const float em = ImGui::GetFontSize(), y = at.y + 0.5f * gap(), height = line_height() - gap();
+  const ImVec2 end{at.x + badge_width(badge), y + height};
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 0.3f * em);
   draw_shape(badge.shape, {at.x + 0.9f * em, y + 0.5f * (line_height() - gap())}, 0.42f * em, color(badge.tone), text_color(0.85),
              std::max(1.0f, em / 14.0f));
   const ImVec2 text_at{at.x + 0.5f * em + shape_width(badge), std::floor(y + 0.5f * (line_height() - gap() - em))};
-  ImGui::GetWindowDrawList()->AddText(nullptr, 0.0f, text_at, text_color(), badge.text.c_str(), nullptr,
-                                      wraps ? end.x - 0.5f * em - text_at.x : 0.0f);
+  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), em, text_at, text_color(), badge.text.c_str());
   ImGui::SetCursorScreenPos({at.x, y});
   const bool clicked = ImGui::InvisibleButton(badge.name.c_str(), {std::max(1.0f, end.x - at.x), height});
   note_place(ui, badge.name);
@@ -126,19 +121,22 @@ std::vector<Badge> badges(const Model& model, double views_ms, const std::string
 }
 
 // Not by what the badges say now: the views must not change their size while one drags.
+int badge_line_height() { return int(line_height()); }
+
 int badge_bar_height(int width) {
   const int lines = float(width) < 80.0f * ImGui::GetFontSize() ? 2 : 1;
   return lines * int(line_height());
 }
 
 std::string badge_bar(UiContext& ui, const std::vector<Badge>& badges, const Rect& bar) {
+  ImGui::SetWindowFontScale(1.0f);  // ImGui keeps it from frame to frame
+  if (badges.size() == 1)
+    ImGui::SetWindowFontScale(
+        std::min({1.0f, (float(bar.size().x) - 2.0f * gap()) / badge_width(badges[0]), float(bar.size().y) / line_height()}));
   const auto corners = badge_corners(badges, float(bar.size().x), float(bar.size().y) > 1.5f * line_height());
   std::string clicked;
-  const float width = badges.size() == 1 ? float(bar.size().x) - 2.0f * gap() : FLT_MAX;
   for (std::size_t i = 0; i < badges.size() && corners[i].y + line_height() <= float(bar.size().y) + 1.0f; ++i)
-    if (draw_badge(ui, badges[i], {float(bar.min.x) + corners[i].x, float(bar.min.y) + corners[i].y},
-                   {width, float(bar.size().y) - corners[i].y}))
-      clicked = badges[i].name;
+    if (draw_badge(ui, badges[i], {float(bar.min.x) + corners[i].x, float(bar.min.y) + corners[i].y})) clicked = badges[i].name;
   return clicked;
 }
 

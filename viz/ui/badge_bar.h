@@ -21,10 +21,12 @@ struct Badge {
 /// Light case, technique, "worse than uniform", notes, times, and the last message. `views_ms`: of the last drawing of the views.
 std::vector<Badge> badges(const Model& model, double views_ms, const std::string& message, Theme theme);
 
-/// Draws them into `bar`, line after line, as many as the bar has. Returns the name of the one that was clicked, else "".
+/// Draws them into `bar`, line after line, as many as the bar has; one that is alone in its line is written smaller where it
+/// must. Returns the name of the one that was clicked, else "".
 std::string badge_bar(UiContext& ui, const std::vector<Badge>& badges, const Rect& bar);
 
 /// Two lines in narrow windows, else one.
 int badge_bar_height(int width);
+int badge_line_height();
 
 }  // namespace psm

@@ -12,6 +12,8 @@
 namespace psm {
 namespace {
 
+constexpr double kNameHeight = 18.0;  // of A's and B's names, pixels at scale 1
+
 int line_x(const Rect& picture, double split) { return picture.min.x + int(std::lround(split * picture.size().x)); }
 
 }  // namespace
@@ -88,16 +90,21 @@ std::string comparison_name(char letter, const Analysis& analysis) {
 
 namespace {
 
-/// Its top left is `at`, or its top right; kept within the rectangle.
-void name_plate(const std::string& text, ImVec2 at, bool right_aligned, const Rect& within) {
-  const float pad = std::floor(0.3f * ImGui::GetFontSize());
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+/// Its top left is `at`, or its top right; kept within the rectangle. Goes on in the next line where its side has no room for
+/// all.
+void name_plate(UiContext& ui, const std::string& text, ImVec2 at, bool right_aligned, const Rect& within) {
+  const float px = std::min(ImGui::GetFontSize(), float(std::round(kNameHeight * ui.scale))), pad = std::floor(0.3f * px);
+  const float room = right_aligned ? at.x - float(within.min.x) : float(within.max.x) - at.x;
+  const float wrap = std::max(room - 3.0f * pad, std::min(6.0f * px, float(within.size().x) - 2.0f * pad));
+  const ImVec2 size = ImGui::GetFont()->CalcTextSizeA(px, 1e9f, wrap, text.c_str());
   float x = right_aligned ? at.x - size.x - 2.0f * pad : at.x;
   x = std::max(std::min(x, float(within.max.x) - size.x - 2.0f * pad), float(within.min.x));
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled({x, at.y}, {x + size.x + 2.0f * pad, at.y + size.y + 2.0f * pad}, ImGui::GetColorU32(ImGuiCol_PopupBg),
                       pad);
-  list->AddText({x + pad, at.y + pad}, text_color(), text.c_str());
+  list->AddText(ImGui::GetFont(), px, {x + pad, at.y + pad}, text_color(), text.c_str(), nullptr, wrap);
+  ui.places[std::string("compare.") + text.front()] = {{int(x), int(at.y)},
+                                                       {int(x + size.x + 2.0f * pad), int(at.y + size.y + 2.0f * pad)}};
 }
 
 /// A line with a grip in the middle, dark between light edges or the reverse: it stands out from any picture.
@@ -144,8 +151,8 @@ void draw_second(UiContext& ui, ViewId id, const Rect& first, const Rect& second
   if (split) draw_line(ui, first, x);
   // Below the title and the view's own controls.
   const float gap = float(std::round(8.0 * ui.scale)), y = float(first.min.y) + 2.6f * ImGui::GetFontSize();
-  name_plate(comparison_name('A', first_images.analysis()), {float(x) - gap, y}, true, first);
-  name_plate(comparison_name('B', images.analysis()), {float(split ? x : second.min.x) + gap, y}, false, second);
+  name_plate(ui, comparison_name('A', first_images.analysis()), {float(x) - gap, y}, true, first);
+  name_plate(ui, comparison_name('B', images.analysis()), {float(split ? x : second.min.x) + gap, y}, false, second);
 }
 
 }  // namespace

@@ -239,6 +239,11 @@ std::optional<SliderRange> slider_range(const Field& field, double size) {
   return std::nullopt;
 }
 
+int field_row_lines(const Field& field) {
+  if (!needs_own_line(field)) return 1;
+  return std::holds_alternative<Vec3Ref>(field.member) ? 2 : 3;
+}
+
 void field_row(UiContext& ui, const Field& field, Experiment& experiment) {
   if (!field.applies(experiment)) return;
   ImGui::PushID(field.path.c_str());

@@ -23,6 +23,9 @@ std::optional<SliderRange> slider_range(const Field& field, double scene_size);
 /// Diagonal of the scene's bounds; 1 for an empty or flat-out point-like scene.
 double scene_size(const Scene& scene);
 
+/// Lines of widgets that the row takes, at most.
+int field_row_lines(const Field& field);
+
 /// Label, widget and reset button. Edits `experiment`; the model makes it valid. Nothing is drawn for a field that does not
 /// apply.
 void field_row(UiContext& ui, const Field& field, Experiment& experiment);

@@ -55,6 +55,7 @@ enum class Action {
   next_screen,
   previous_screen,
   black_screen,
+  show_answer,
   toggle_lesson,
   quit
 };

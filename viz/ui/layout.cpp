@@ -7,21 +7,25 @@
 namespace psm {
 namespace {
 
+constexpr double kStackBelow = 1.1;  // width by height of a room where two views are better off one above the other
+
 int part(int whole, double fraction) { return int(std::lround(whole * fraction)); }
 
 void place_tiles(Layout& out, const Rect& area, const std::vector<ViewId>& tiles, const LayoutSettings& settings, int splitter) {
   const glm::ivec2 size = area.size();
   const std::size_t count = tiles.size();
+  const bool stacked = count == 2 && size.x < kStackBelow * size.y;
   const int left = area.min.x + std::max(0, part(size.x, settings.column) - splitter / 2), right = left + splitter;
   const int above = area.min.y + std::max(0, part(size.y, settings.row) - splitter / 2), below = above + splitter;
   const int first_row = count > 2 ? above : area.max.y;
   std::vector<Rect> places{{area.min, {left, first_row}}, {{right, area.min.y}, {area.max.x, first_row}}};
   if (count == 1) places = {area};
+  if (stacked) places = {{area.min, {area.max.x, above}}, {{area.min.x, below}, area.max}};
   if (count == 3) places.push_back({{area.min.x, below}, area.max});
   if (count == 4) places.insert(places.end(), {{{area.min.x, below}, {left, area.max.y}}, {{right, below}, area.max}});
   for (std::size_t i = 0; i < count; ++i) out.views[std::size_t(tiles[i])] = places[i];
-  if (count > 1) out.column_splitter = {{left, area.min.y}, {right, count == 3 ? above : area.max.y}};
-  if (count > 2) out.row_splitter = {{area.min.x, above}, {area.max.x, below}};
+  if (count > 1 && !stacked) out.column_splitter = {{left, area.min.y}, {right, count == 3 ? above : area.max.y}};
+  if (count > 2 || stacked) out.row_splitter = {{area.min.x, above}, {area.max.x, below}};
 }
 
 }  // namespace

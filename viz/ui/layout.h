@@ -29,8 +29,9 @@ struct Layout {
   const Rect& view(ViewId id) const { return views[std::size_t(id)]; }
 };
 
-/// The tiles, one to four in reading order: two side by side, a third below them over the full width, or two rows of two; a
-/// maximised view has their place for itself. `badge_height` and `splitter` (the dividers' thickness) in pixels.
+/// The tiles, one to four in reading order: two side by side (in a high room one above the other), a third below them over the
+/// full width, or two rows of two; a maximised view has their place for itself. `badge_height` and `splitter` (the dividers'
+/// thickness) in pixels.
 Layout lay_out(glm::ivec2 window, const LayoutSettings& settings, const ViewSettings& view, int badge_height, int splitter);
 
 /// The settings after a divider was dragged to this pixel.

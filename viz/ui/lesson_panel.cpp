@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/light_angles.h"
-#include "ui/field_widgets.h"
 #include "ui/lesson_context.h"
 
 namespace psm {
@@ -13,35 +11,38 @@ namespace {
 
 using Kind = LessonCommand::Kind;
 
+/// Nothing leaves a page's width but what no line could hold: then this is where it ends.
+double ink_width(const TextPage& page, const FontMetrics& metrics) {
+  double width = 0.0;
+  for (const GlyphRun& run : page.ink.runs) width = std::max(width, run.baseline.x + metrics.width(run.text, run.type));
+  for (const Rule& rule : page.ink.rules) width = std::max(width, rule.max.x);
+  return width;
+}
+
+}  // namespace
+
 Prose heading_prose(const std::string& text, int level) {
   auto blocks = parse_markdown(std::string(std::size_t(level), '#') + " " + text);
   return blocks ? std::move(*blocks) : Prose{};
 }
 
-void wrapped_warning(const UiContext& ui, const std::string& text) {
-  const glm::vec3 tone = warning_color(ui.theme);
-  ImGui::PushStyleColor(ImGuiCol_Text, {tone.r, tone.g, tone.b, 1.0f});
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(("▲ " + text).c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-}
-
-}  // namespace
-
-const TextPage& LessonPanel::page(const Context& c, const std::string& name, const Prose& prose, double width) {
+const LessonPanel::CachedPage& LessonPanel::page(const Context& c, const std::string& name, const Prose& prose, double width) {
   CachedPage& cached = pages_[name];
-  const double size = ImGui::GetFontSize();
-  if (cached.revision != c.session.revision() || cached.width != width || cached.size != size) {
-    const auto live = [&](const std::string& path) { return live_text(c.session.values(), path); };
-    cached = {c.session.revision(), width, size, typeset(prose, {width, size, 1.4}, screen_metrics(), live)};
-  }
-  return cached.page;
+  if (cached.revision == c.session.revision() && cached.width == width && cached.size == c.style.size) return cached;
+  const auto live = [&](const std::string& path) { return live_text(c.session.values(), path); };
+  const FontMetrics metrics = screen_metrics();
+  cached = {c.session.revision(), width, c.style.size, typeset(prose, {width, c.style.size, c.style.leading}, metrics, live)};
+  cached.too_wide = ink_width(cached.page, metrics) > width + 1.0;
+  return cached;
 }
 
 void LessonPanel::prose(Context& c, const std::string& name, const Prose& prose) {
-  const double width = std::floor(ImGui::GetContentRegionAvail().x);
-  follow(c, show_page(c.ui, page(c, name, prose, width), name));
+  follow(c, show_page(c.ui, page(c, name, prose, c.style.width).page, name));
+}
+
+LessonPanel::Part LessonPanel::prose_part(const Context& c, const std::string& name, const Prose& text) {
+  const CachedPage& set = page(c, name, text, c.style.width);
+  return {std::ceil(set.page.height), [=, this](Context& now) { prose(now, name, text); }, false, set.too_wide};
 }
 
 void LessonPanel::follow(Context& c, const std::string& link) {
@@ -52,7 +53,7 @@ void LessonPanel::follow(Context& c, const std::string& link) {
 
 std::vector<LessonCommand> LessonPanel::draw(UiContext& ui, const LessonSession& session, const Rect& pane,
                                              Experiment& experiment) {
-  Context c{ui, session, pane, experiment, {}};
+  Context c{ui, session, pane, experiment, {0.0, ImGui::GetFontSize(), 1.4}};
   const float padding = ImGui::GetStyle().WindowPadding.x, row = ImGui::GetFrameHeightWithSpacing();
   const auto child = [&](const char* name, int top, int bottom, ImGuiWindowFlags flags) {
     ImGui::SetCursorScreenPos({float(pane.min.x), float(top)});
@@ -69,7 +70,8 @@ std::vector<LessonCommand> LessonPanel::draw(UiContext& ui, const LessonSession&
   ImGui::EndChild();
   child("lesson", top, bottom, 0);
   ui.places["lesson.text"] = {{pane.min.x, top}, {pane.max.x, bottom}};
-  if (!session.error().empty()) wrapped_warning(ui, session.error());
+  c.style.width = std::floor(ImGui::GetContentRegionAvail().x);
+  if (!session.error().empty()) toned_words(warning_color(ui.theme), "▲ " + session.error());
   listed ? list(c) : step(c);
   ImGui::EndChild();
   if (!listed) {
@@ -105,7 +107,7 @@ void LessonPanel::list(Context& c) {
   for (const LessonEntry& entry : c.session.shipped()) {
     Prose prose = heading_prose(entry.title, 3);
     prose.push_back({0, 0, "", false, {{Inline::Kind::words, entry.summary, false, false, "", 0}}, 0});
-    const TextPage& text = page(c, "list." + entry.name, prose, std::floor(width - 2 * padding));
+    const TextPage& text = page(c, "list." + entry.name, prose, std::floor(width - 2 * padding)).page;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const auto known = c.session.progress().find(entry.name);
     const bool begun = known != c.session.progress().end();
@@ -128,24 +130,11 @@ void LessonPanel::list(Context& c) {
 }
 
 void LessonPanel::step(Context& c) {
-  const Step& now = c.run().step();
-  const std::string name = c.run().lesson().name + "/" + std::to_string(c.run().index() + 1);
-  if (std::exchange(scrolled_for_, name) != name) {
-    ImGui::SetScrollY(0.0f);
-    pages_.clear();
-    play_.reset();
-  }
-  prose(c, "heading", heading_prose(now.heading, 2));
-  ImGui::Dummy({0, 0.2f * ImGui::GetFontSize()});
-  prose(c, "text", now.text);
-  if (!now.source.empty()) {
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextDisabled("Source: %s", now.source.c_str());
-    ImGui::PopTextWrapPos();
-  }
-  if (!now.controls.empty() || now.animation) controls(c);
-  for (std::size_t i = 0; i < now.questions.size(); ++i) question(c, i);
-  for (std::size_t i = 0; i < now.tasks.size(); ++i) task(c, i);
+  const std::string before = shown_step_;
+  const Parts parts = step_parts(c);
+  if (before != shown_step_) ImGui::SetScrollY(0.0f);
+  for (const Part& part : parts)
+    if (part.draw) part.draw(c);
   part_heading("Start again");
   if (c.button("Reset step", "lesson.reset_step")) c.ask(Kind::reset_step);
   rest_tooltip("This step's experiment, answers and tasks as they were at first.");
@@ -184,58 +173,6 @@ void LessonPanel::navigation(Context& c) {
   }
   ImGui::SetCursorPosX(right);
   go("Next ▶", "lesson.next", index + 1 < count, index + 1);
-}
-
-void LessonPanel::controls(Context& c) {
-  part_heading("Try it");
-  const Step& now = c.run().step();
-  for (const std::string& path : now.controls) {
-    if (path == kThetaControl) {
-      if (c.experiment.light.type == LightType::directional) theta_slider(c.ui, light_, c.experiment);
-    } else if (const Field* field = find_field(path)) {
-      field_row(c.ui, *field, c.experiment);
-    }
-  }
-  if (now.animation) animation_button(c);
-}
-
-void LessonPanel::animation_button(Context& c) {
-  if (c.button(play_ ? "■ Stop" : "▶ Play", "lesson.play")) {
-    if (play_) return play_.reset();
-    play_ = LessonPlay{ImGui::GetTime(), NAN, std::nullopt};
-  }
-  rest_tooltip("Plays " + c.run().step().animation->path + ".");
-}
-
-namespace {
-
-/// The animated number, read and set.
-double animated(const Animation& animation, const Experiment& e) {
-  if (animation.path == kThetaControl) return glm::degrees(light_theta(e));
-  Experiment copy = e;
-  return std::get<NumberRef>(find_field(animation.path)->member)(copy);
-}
-void set_animated(const Animation& animation, double value, const glm::dvec3& side, Experiment& e) {
-  if (animation.path == kThetaControl)
-    e.light.to_light = to_light_at(e, glm::radians(value), side);
-  else
-    std::get<NumberRef>(find_field(animation.path)->member)(e) = value;
-}
-
-}  // namespace
-
-bool LessonPanel::play(const LessonSession& session, double now, Experiment& e) {
-  if (!play_ || !session.run() || !session.run()->step().animation) return play_.reset(), false;
-  const Animation& animation = *session.run()->step().animation;
-  if (!play_->theta_side) play_->theta_side = theta_side(e);
-  const bool taken_over =
-      !std::isnan(play_->last) && std::abs(animated(animation, e) - play_->last) > 1e-6 * (1.0 + std::abs(play_->last));
-  if (taken_over) return play_.reset(), false;
-  const double time = now - play_->start;
-  set_animated(animation, animation.at(time), *play_->theta_side, e);
-  play_->last = animated(animation, e);
-  if (time >= animation.seconds) play_.reset();
-  return true;
 }
 
 }  // namespace psm

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions and tasks in the lesson pane.
+// Questions and tasks of a step as parts. In front of a class there is room from the start for what answers bring.
+#include <algorithm>
 #include <cmath>
 
 #include "ui/lesson_context.h"
@@ -10,73 +11,116 @@ namespace {
 using Kind = LessonCommand::Kind;
 
 std::string name_of_question(std::size_t index) { return "question." + std::to_string(index); }
-
-void toned(const glm::vec3& tone, const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, {tone.r, tone.g, tone.b, 1.0f});
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+std::string name_of_choice(std::size_t question, std::size_t choice) {
+  return name_of_question(question) + ".choice." + std::to_string(choice);
 }
+std::string name_of_task(std::size_t index) { return "task." + std::to_string(index); }
 
 bool is_right(const Question& question, const QuestionState& state) {
   if (question.kind == Question::Kind::choice) return state.choice == question.answer_index;
-  return std::abs(*state.number - state.truth) <= question.tolerance;
+  return state.number && std::abs(*state.number - state.truth) <= question.tolerance;
 }
+
+glm::vec3 right_color(Theme theme) {
+  return theme == Theme::dark ? role_color(Role::texel_grid) : role_text_color(Role::texel_grid);
+}
+
+std::string verdict_words(const Question& question, const QuestionState& state) {
+  const std::string truth = shown_number(state.truth) + " " + question.unit;
+  if (state.shown) return question.kind == Question::Kind::number ? "● It is " + truth : "● The right answer is marked.";
+  std::string words = is_right(question, state) ? "● As you predicted." : "○ Not as you predicted.";
+  if (question.kind == Question::Kind::number) words += " You said " + shown_number(*state.number) + ", it is " + truth;
+  return words;
+}
+
+/// No verdict is longer.
+std::string longest_verdict(const Question& question) {
+  QuestionState state;
+  state.choice = -1, state.number = state.truth = -8.888e-88;
+  return verdict_words(question, state);
+}
+
+constexpr const char* kReached = "● Reached, with the solution shown.";
 
 }  // namespace
 
-void LessonPanel::question(Context& c, std::size_t index) {
+void LessonPanel::question_parts(const Context& c, std::size_t index, Parts& parts) {
   const Question& question = c.run().step().questions[index];
-  const bool answered = c.run().state().questions[index].answered();
-  part_heading(answered ? "Question" : "Predict first");
-  prose(c, name_of_question(index), question.prompt);
-  if (!question.cover.empty() && !answered) {
+  const QuestionState& state = c.run().state().questions[index];
+  const bool answered = state.answered();
+  Part prompt = prose_part(c, name_of_question(index), question.prompt);
+  prompt.begins = true;
+  if (!answered) prompt.question = index;
+  prompt.height += c.part_heading_height() + c.gap();
+  prompt.draw = [answered, draw = std::move(prompt.draw)](Context& now) {
+    part_heading(answered ? "Question" : "Predict first");
+    draw(now);
+  };
+  parts.push_back(std::move(prompt));
+  if (!question.cover.empty() && !answered && !c.staged) {
     std::string views;
     for (const std::string& view : question.cover) views += (views.empty() ? "" : ", ") + view;
-    ImGui::TextDisabled("Your answer uncovers: %s", views.c_str());
+    parts.push_back({c.style.size, [views](Context&) { ImGui::TextDisabled("Your answer uncovers: %s", views.c_str()); }});
   }
-  question.kind == Question::Kind::choice ? choices(c, index) : number_answer(c, index);
-  if (answered) verdict(c, index);
+  for (std::size_t i = 0; i < question.choices.size(); ++i) parts.push_back(choice_part(c, index, i));
+  Part verdict{c.words_height(longest_verdict(question)), {}};
+  if (question.kind == Question::Kind::number) {
+    verdict.height = std::max(verdict.height, c.widget_height());
+    verdict.draw = [this, index](Context& now) { number_answer(now, index); };
+  }
+  if (answered)
+    verdict.draw = [&question, &state](Context& now) {
+      const bool right = state.shown || is_right(question, state);
+      toned_words(right ? right_color(now.ui.theme) : warning_color(now.ui.theme), verdict_words(question, state));
+    };
+  parts.push_back(std::move(verdict));
+  Part why = prose_part(c, name_of_question(index) + ".why", question.why);
+  if (!answered) why.draw = {};
+  parts.push_back(std::move(why));
 }
 
-/// Each choice is a button as wide as the pane; once answered they stay, marked.
-void LessonPanel::choices(Context& c, std::size_t index) {
+LessonPanel::Part LessonPanel::choice_part(const Context& c, std::size_t question, std::size_t choice) {
+  const Prose& text = c.run().step().questions[question].choices[choice];
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  const double width = std::floor(c.style.width - 2.0 * padding.x - 1.4 * c.style.size);
+  const CachedPage& set = page(c, name_of_choice(question, choice), text, width);
+  return {std::ceil(set.page.height) + 2.0 * padding.y, [=, this](Context& now) { draw_choice(now, question, choice); }, false,
+          set.too_wide};
+}
+
+/// A button as wide as the pane; once answered it stays, marked.
+void LessonPanel::draw_choice(Context& c, std::size_t index, std::size_t choice) {
   const Question& question = c.run().step().questions[index];
   const QuestionState& state = c.run().state().questions[index];
   const ImVec2 padding = ImGui::GetStyle().FramePadding;
-  const float width = ImGui::GetContentRegionAvail().x, mark = 1.4f * ImGui::GetFontSize();
-  for (std::size_t i = 0; i < question.choices.size(); ++i) {
-    const std::string name = name_of_question(index) + ".choice." + std::to_string(i);
-    const TextPage& text = page(c, name, question.choices[i], std::floor(width - 2 * padding.x - mark));
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::PushID(name.c_str());
-    ImGui::BeginDisabled(state.answered());
-    const bool chosen = ImGui::Button("##choose", {width, float(std::ceil(text.height)) + 2 * padding.y});
-    ImGui::EndDisabled();
-    ImGui::PopID();
-    note_place(c.ui, "lesson." + name);
-    const ImVec2 below = ImGui::GetCursorScreenPos();
-    const bool truth = state.answered() && int(i) == question.answer_index, mine = state.choice == int(i);
-    const ImVec2 middle(at.x + padding.x + 0.45f * ImGui::GetFontSize(), at.y + padding.y + 0.58f * ImGui::GetFontSize());
-    const float radius = 0.3f * ImGui::GetFontSize();
-    const Color tone = truth  ? line_color(Role::texel_grid, c.ui.theme)
-                       : mine ? color(warning_color(c.ui.theme))
-                              : text_color(0.6);
-    if (truth)
-      ImGui::GetWindowDrawList()->AddCircleFilled(middle, radius, tone);
-    else
-      ImGui::GetWindowDrawList()->AddCircle(middle, radius, tone, 0, mine ? 3.0f : 1.5f);
-    ImGui::SetCursorScreenPos({at.x + padding.x + mark, at.y + padding.y});
-    show_page(c.ui, text, name);
-    ImGui::SetCursorScreenPos(below);
-    if (chosen) c.commands.push_back({Kind::choose, index, "", int(i), 0.0});
-  }
+  const float width = float(c.style.width), mark = 1.4f * ImGui::GetFontSize();
+  const std::string name = name_of_choice(index, choice);
+  const TextPage& text =
+      page(c, name, question.choices[choice], std::floor(c.style.width - 2 * padding.x - 1.4 * c.style.size)).page;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushID(name.c_str());
+  ImGui::BeginDisabled(state.answered());
+  const bool chosen = ImGui::Button("##choose", {width, float(std::ceil(text.height)) + 2 * padding.y});
+  ImGui::EndDisabled();
+  ImGui::PopID();
+  note_place(c.ui, "lesson." + name);
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  const bool truth = state.answered() && int(choice) == question.answer_index, mine = state.choice == int(choice);
+  const ImVec2 middle(at.x + padding.x + 0.45f * ImGui::GetFontSize(), at.y + padding.y + 0.58f * ImGui::GetFontSize());
+  const float radius = 0.3f * ImGui::GetFontSize();
+  const Color tone = truth ? line_color(Role::texel_grid, c.ui.theme) : mine ? color(warning_color(c.ui.theme)) : text_color(0.6);
+  if (truth)
+    ImGui::GetWindowDrawList()->AddCircleFilled(middle, radius, tone);
+  else
+    ImGui::GetWindowDrawList()->AddCircle(middle, radius, tone, 0, mine ? 3.0f : 1.5f);
+  ImGui::SetCursorScreenPos({at.x + padding.x + mark, at.y + padding.y});
+  show_page(c.ui, text, name);
+  ImGui::SetCursorScreenPos(below);
+  if (chosen) c.commands.push_back({Kind::choose, index, "", int(choice), 0.0});
 }
 
 void LessonPanel::number_answer(Context& c, std::size_t index) {
   const Question& question = c.run().step().questions[index];
-  if (c.run().state().questions[index].answered()) return;
   const std::string name = name_of_question(index);
   double& typed = typed_.emplace(c.run().lesson().name + "/" + std::to_string(c.run().index()) + name, 0.0).first->second;
   ImGui::SetNextItemWidth(7.0f * ImGui::GetFontSize());
@@ -91,39 +135,47 @@ void LessonPanel::number_answer(Context& c, std::size_t index) {
   if ((entered || pressed) && std::isfinite(typed)) c.commands.push_back({Kind::answer, index, "", 0, typed});
 }
 
-void LessonPanel::verdict(Context& c, std::size_t index) {
-  const Question& question = c.run().step().questions[index];
-  const QuestionState& state = c.run().state().questions[index];
-  const bool right = is_right(question, state);
-  const glm::vec3 tone = right ? role_text_color(Role::texel_grid) : warning_color(c.ui.theme);
-  const glm::vec3 shown = right && c.ui.theme == Theme::dark ? role_color(Role::texel_grid) : tone;
-  std::string text = right ? "● As you predicted." : "○ Not as you predicted.";
-  if (question.kind == Question::Kind::number)
-    text += " You said " + shown_number(*state.number) + ", it is " + shown_number(state.truth) + " " + question.unit;
-  toned(shown, text);
-  prose(c, name_of_question(index) + ".why", question.why);
-}
-
-void LessonPanel::task(Context& c, std::size_t index) {
+void LessonPanel::task_parts(const Context& c, std::size_t index, Parts& parts) {
   const Task& task = c.run().step().tasks[index];
   const TaskState& state = c.run().state().tasks[index];
-  const std::string name = "task." + std::to_string(index);
-  part_heading(state.done ? "Task: done" : "Task");
-  prose(c, name, task.prompt);
-  for (std::size_t i = 0; i < std::min(state.hints, task.hints.size()); ++i) {
-    ImGui::TextDisabled("Hint %d", int(i + 1));
-    prose(c, name + ".hint." + std::to_string(i), task.hints[i]);
+  const std::string name = name_of_task(index);
+  Part prompt = prose_part(c, name, task.prompt);
+  prompt.begins = true;
+  if (!state.done) prompt.task = index;
+  prompt.height += c.part_heading_height() + c.gap();
+  prompt.draw = [done = state.done, draw = std::move(prompt.draw)](Context& now) {
+    part_heading(done ? "Task: done" : "Task");
+    draw(now);
+  };
+  parts.push_back(std::move(prompt));
+  for (std::size_t i = 0; i < task.hints.size(); ++i) {
+    Part hint = prose_part(c, name + ".hint." + std::to_string(i), task.hints[i]);
+    hint.height += c.style.size + c.gap();
+    hint.draw = [i, draw = std::move(hint.draw)](Context& now) {
+      ImGui::TextDisabled("Hint %d", int(i + 1));
+      draw(now);
+    };
+    if (i >= state.hints) hint.draw = {};
+    parts.push_back(std::move(hint));
   }
-  if (state.done) {
-    const glm::vec3 green = c.ui.theme == Theme::dark ? role_color(Role::texel_grid) : role_text_color(Role::texel_grid);
-    toned(green, state.shown ? "● Reached, with the solution shown." : "● Reached.");
-    return prose(c, name + ".done", task.done);
-  }
-  if (state.hints < task.hints.size()) {
-    if (c.button("Hint", "lesson." + name + ".hint")) c.ask(Kind::hint, index);
+  parts.push_back(
+      {std::max(c.widget_height(), c.words_height(kReached)), [this, index](Context& now) { task_buttons(now, index); }});
+  if (state.done)
+    parts.back().draw = [shown = state.shown](Context& now) {
+      toned_words(right_color(now.ui.theme), shown ? kReached : "● Reached.");
+    };
+  Part done = prose_part(c, name + ".done", task.done);
+  if (!state.done) done.draw = {};
+  parts.push_back(std::move(done));
+}
+
+void LessonPanel::task_buttons(Context& c, std::size_t index) {
+  const std::string name = "lesson." + name_of_task(index);
+  if (c.run().state().tasks[index].hints < c.run().step().tasks[index].hints.size()) {
+    if (c.button("Hint", name + ".hint")) c.ask(Kind::hint, index);
     ImGui::SameLine();
   }
-  if (c.button("Show me", "lesson." + name + ".solve")) c.ask(Kind::solve, index);
+  if (c.button("Show me", name + ".solve")) c.ask(Kind::solve, index);
   rest_tooltip("Sets the experiment to a solution. Undo takes it back.");
 }
 

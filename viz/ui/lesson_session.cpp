@@ -65,6 +65,7 @@ std::optional<Experiment> LessonSession::perform(const LessonCommand& command, c
       return std::nullopt;
     case Kind::choose:
     case Kind::answer:
+    case Kind::show_answer:
       return answer(command, model);
     case Kind::hint:
       run_->state().tasks[command.index].hints++;
@@ -119,14 +120,15 @@ std::optional<Experiment> LessonSession::shown(Result<Experiment> experiment) {
 std::optional<Experiment> LessonSession::answer(const LessonCommand& command, const Model& model) {
   const Question& question = run_->step().questions[command.index];
   QuestionState& state = run_->state().questions[command.index];
-  if (command.kind == LessonCommand::Kind::choose) {
-    state.choice = command.choice;
-  } else {
+  if (question.kind == Question::Kind::number) {
     const auto truth = evaluate(question.answer, values_, analyze_plainly);
     const double* number = truth ? std::get_if<double>(&*truth) : nullptr;
     if (!number) return error_ = "this experiment has no such number; reset the step", std::nullopt;
-    state.number = command.number, state.truth = *number;
+    state.truth = *number;
   }
+  if (command.kind == LessonCommand::Kind::choose) state.choice = command.choice;
+  if (command.kind == LessonCommand::Kind::answer) state.number = command.number;
+  state.shown = command.kind == LessonCommand::Kind::show_answer;
   keep_progress();
   return question.reveal ? over(*question.reveal, model, "reveal") : std::nullopt;
 }

@@ -24,6 +24,7 @@ struct LessonCommand {
     set,           // text: a "set:" link
     choose,        // index: of a question, choice
     answer,        // index: of a question, number
+    show_answer,   // index: of a question
     hint,          // index: of a task
     solve          // index: of a task
   };

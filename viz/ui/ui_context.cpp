@@ -14,6 +14,11 @@ void note_place(UiContext& ui, const std::string& name) {
   ui.places[name] = {{int(min.x), int(min.y)}, {int(max.x), int(max.y)}};
 }
 
+bool is_typing() {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  return g.ActiveId != 0 && ImGui::GetInputTextState(g.ActiveId) != nullptr;
+}
+
 bool mouse_on(const char* name) { return ImGui::GetCurrentContext()->HoveredId == ImGui::GetID(name); }
 
 bool rested_on(const char* name) {

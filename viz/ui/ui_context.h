@@ -33,6 +33,10 @@ constexpr float kTooltipDelay = 0.4f;  // seconds
 /// A tooltip for the widget that was submitted last, once the mouse has rested on it.
 void rest_tooltip(const std::string& text);
 
+/// Whether a text field takes what is typed in this frame. ImGui's WantTextInput still says so in the frame after the field has
+/// closed, when keys mean the window again.
+bool is_typing();
+
 /// Whether the mouse is on the widget of this name, in the current window.
 bool mouse_on(const char* name);
 

@@ -67,7 +67,8 @@ Workbench::~Workbench() = default;
 LookKey Workbench::look(glm::ivec2 size, double display_scale) const {
   double scale = std::clamp(display_scale, 0.25, 8.0) * settings_.scale_percent / 100.0;
   if (presenting_) scale = presenting_scale(size, scale);
-  return {std::max(6, int(std::lround(settings_.font_px * scale))), scale, settings_.theme};
+  const double type = stages_lesson() ? largest_stage_type(size.y) : settings_.font_px * scale;
+  return {std::max(6, int(std::lround(type))), scale, settings_.theme};
 }
 
 void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<KeyPress>& presses) {
@@ -80,7 +81,8 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   if (asked.action) act(*asked.action);
   take_keys(presses);
   for (const LessonCommand& command : std::exchange(lesson_commands_, {})) perform(command);
-  show_lesson_experiment(lessons_.update(model_, ImGui::GetTime()));
+  // What is on its way to a solution does not count as one, nor as a result.
+  if (!reveal_) show_lesson_experiment(lessons_.update(model_, ImGui::GetTime()));
   model_.set_points_source(settings_.points_from);
   readback_.take(model_, renderer_, profile_);
 
@@ -92,13 +94,10 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   places_.clear();
   const double scale = look(size, display_scale).scale;
   const int splitter = std::max(2, int(std::lround(6.0 * scale)));
-  LayoutSettings places = settings_.layout;
-  places.pane_shown = places.pane_shown && !presenting_;
-  Layout layout = lay_out(size, places, model_.experiment().view, badge_bar_height(size.x), splitter);
+  UiContext ui{model_, settings_.theme, scale, places_, experiments_};
+  Layout layout = lay_out(size, shown_layout(ui, size), model_.experiment().view, bar_height(size), splitter);
   const auto second = place_second(layout, model_.experiment().view, splitter);
-  Frame f{
-      size, scale, ImGui::GetTime(), layout, second, {model_, settings_.theme, scale, places_, experiments_}, model_.experiment(),
-      "",   false};
+  Frame f{size, scale, ImGui::GetTime(), layout, second, ui, model_.experiment(), "", false};
 
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(vec(size));
@@ -111,6 +110,7 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   ImGui::PopStyleVar(3);
   move_camera_shift(f.edited, f.tag, f.now);
   move_world_to_cube(f.edited, f.tag, f.now);
+  move_reveal(f.edited, f.tag, f.now);
   if (!presenting_) splitters(f);
   move_selected_handle(f.layout.view(ViewId::world), f.scale, f.edited, f.tag);
   tiles(f);
@@ -121,7 +121,7 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   commit(f);
   draw_views(f);
   pane_numbers(f);
-  badge_line(f);
+  bar(f);
   ImGui::End();
   dialogs(f);
   draw_black(size);
@@ -230,12 +230,16 @@ void Workbench::pane_numbers(Frame& f) {
   ImGui::EndChild();
 }
 
-void Workbench::badge_line(Frame& f) {
+void Workbench::bar(Frame& f) {
   begin_child("badges", f.layout.badges, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  stages_lesson() ? lesson_line(f) : badge_line(f);
+  ImGui::EndChild();
+}
+
+void Workbench::badge_line(Frame& f) {
   std::vector<Badge> shown = badges(model_, views_ms_, message_, settings_.theme);
   if (presenting_) shown.resize(1);  // the light case
   const std::string clicked = badge_bar(f.ui, shown, f.layout.badges);
-  ImGui::EndChild();
   if (clicked != "badge.notes" && clicked != "badge.worse") return;
   show_notes_ = settings_.layout.pane_shown = true;
   wake();
@@ -264,7 +268,8 @@ void Workbench::commit(Frame& f) {
 void Workbench::draw_views(Frame& f) {
   const auto start = std::chrono::steady_clock::now();
   const auto sizes = f.view_sizes();
-  const bool resting = !f.changed && !shift_play_ && !cube_play_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
+  const bool resting =
+      !f.changed && !shift_play_ && !cube_play_ && !reveal_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
   if (resting && sizes[std::size_t(ViewId::eye)].x > 0) images_.trace_overlay(model_, profile_);
   // A fit that a hidden view never had is found when the view shows.
   const ViewSettings shown = fitted_.shown(model_, sizes);

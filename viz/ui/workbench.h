@@ -56,6 +56,13 @@ struct CubePlay {
 /// last row reads them. `scale`: without a class.
 double presenting_scale(glm::ivec2 window, double scale);
 
+/// The experiment on its way to what an answer, a solution or a link reveals.
+struct Reveal {
+  double start;  // in seconds
+  Experiment from, to;
+  Experiment last;
+};
+
 /// Needs a current OpenGL context and a current ImGui context.
 class Workbench {
  public:
@@ -127,6 +134,13 @@ class Workbench {
   void paste();
   void show_opened(const std::string& message);
   void lesson_pane(Frame& f);
+  bool stages_lesson() const;
+  LayoutSettings shown_layout(UiContext& ui, glm::ivec2 size);
+  int bar_height(glm::ivec2 size) const;
+  void bar(Frame& f);
+  void lesson_line(Frame& f);
+  bool step_stage(int by);
+  void show_answer();
   void perform(const LessonCommand& command);
   void show_lesson_experiment(const std::optional<Experiment>& experiment);
   void toggle_lesson_pane();
@@ -138,6 +152,9 @@ class Workbench {
   void play_world_to_cube();
   /// How far a movement has come, 0 to 1; at once at its end where motion is off.
   double played(double now, double start, double seconds) const;
+  void play_reveal(const Experiment& to);
+  bool finish_reveal();
+  void move_reveal(Experiment& edited, std::string& tag, double now);
   void move_camera_shift(Experiment& edited, std::string& tag, double now);
   void move_world_to_cube(Experiment& edited, std::string& tag, double now);
   void keep_light_in_place(Experiment& edited) const;
@@ -199,6 +216,7 @@ class Workbench {
   bool pane_before_lesson_ = true;
   std::optional<ShiftPlay> shift_play_;
   std::optional<CubePlay> cube_play_;
+  std::optional<Reveal> reveal_;
   ShiftRule played_rule_ = ShiftRule::automatic;
   Dialogs dialogs_;
   Requests requests_;

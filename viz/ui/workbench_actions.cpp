@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_modifier(int code) { return code >= key::shift && code <= key::right_super; }
+
 std::string scene_stem(const Experiment& experiment) { return fs::path(experiment.scene.source).stem().string(); }
 
 std::optional<ViewId> view_of(Action action) {
@@ -44,14 +46,14 @@ std::optional<ViewId> view_of(Action action) {
 
 void Workbench::take_keys(const std::vector<KeyPress>& presses) {
   for (const KeyPress& press : presses) {
+    if (!is_modifier(press.key) && finish_reveal()) continue;  // the key that skips it
     const bool enter = press.key == key::enter || press.key == key::keypad_enter;
     if (dialogs_.shown() != Dialogs::Kind::none) {
       if (press.key == key::escape || (enter && dialogs_.only_closes())) dialogs_.close();
       continue;
     }
     // Escape in a text field or a menu belongs to it.
-    if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
-      continue;
+    if (is_typing() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) continue;
     if (drag_.selected && press.key == key::escape) {
       drag_.selected.reset();
       continue;
@@ -76,6 +78,8 @@ void Workbench::act(Action action) {
       return step_screen(+1);
     case Action::previous_screen:
       return step_screen(-1);
+    case Action::show_answer:
+      return show_answer();
     case Action::black_screen:
       black_ = presenting_;
       return;

@@ -41,7 +41,7 @@ void Workbench::select_handle(int step) {
 // As the mouse would: in the plane of the picture, with Shift along the vertical; with Ctrl a pixel at a time.
 void Workbench::move_selected_handle(const Rect& world, double scale, Experiment& edited, std::string& tag) {
   world_shown_ = !world.empty();
-  if (!drag_.selected || !world_shown_ || dialogs_.shown() != Dialogs::Kind::none || ImGui::GetIO().WantTextInput) return;
+  if (!drag_.selected || !world_shown_ || dialogs_.shown() != Dialogs::Kind::none || is_typing()) return;
   if (any_arrow_down()) wake();
   const glm::dvec2 steps = arrow_steps();
   if (steps == glm::dvec2(0.0)) return;

@@ -9,20 +9,35 @@
 #include "ui/workbench_frame.h"
 
 namespace psm {
+namespace {
+
+/// What stays in the same step: what has changed is to be seen changing.
+bool reveals(const LessonCommand& command) {
+  using Kind = LessonCommand::Kind;
+  return command.kind == Kind::set || command.kind == Kind::choose || command.kind == Kind::answer ||
+         command.kind == Kind::show_answer || command.kind == Kind::solve;
+}
+
+}  // namespace
 
 void Workbench::lesson_pane(Frame& f) {
   images_.highlight(f.layout.lesson.empty() ? std::vector<Role>() : lessons_.highlighted());
   if (f.layout.lesson.empty()) return;
   if (lesson_panel_.play(lessons_, f.now, f.edited)) f.tag = "play lesson", wake();
-  for (LessonCommand& command : lesson_panel_.draw(f.ui, lessons_, f.layout.lesson, f.edited))
-    lesson_commands_.push_back(std::move(command));
+  auto commands = stages_lesson() ? lesson_panel_.draw_stage(f.ui, lessons_, f.layout.lesson, f.edited)
+                                  : lesson_panel_.draw(f.ui, lessons_, f.layout.lesson, f.edited);
+  for (LessonCommand& command : commands) lesson_commands_.push_back(std::move(command));
 }
 
 void Workbench::perform(const LessonCommand& command) {
   const bool was_open = lessons_.run() != nullptr;
+  finish_reveal();
   lesson_panel_.stop();
   const auto next = lessons_.perform(command, model_);
-  show_lesson_experiment(next);
+  if (next && reveals(command))
+    play_reveal(*next);
+  else
+    show_lesson_experiment(next);
   if (command.kind == LessonCommand::Kind::open && lessons_.run() && lessons_.error().empty()) lesson_panel_.show_list(false);
   if (was_open && !lessons_.run()) toggle_lesson_pane();
 }
@@ -55,9 +70,11 @@ void Workbench::toggle_lesson_pane() {
 bool Workbench::step_lesson(int by) {
   const LessonRun* run = lessons_.run();
   if (!run || !settings_.layout.lesson_shown || lesson_panel_.lists()) return false;
+  if (presenting_ && step_stage(by)) return true;
   const std::ptrdiff_t to = std::ptrdiff_t(run->index()) + by;
-  if (to >= 0 && to < std::ptrdiff_t(run->lesson().steps.size()))
-    lesson_commands_.push_back({LessonCommand::Kind::go_to, std::size_t(to), "", 0, 0.0});
+  if (to < 0 || to >= std::ptrdiff_t(run->lesson().steps.size())) return true;
+  if (by < 0) lesson_panel_.enter_at_end();
+  lesson_commands_.push_back({LessonCommand::Kind::go_to, std::size_t(to), "", 0, 0.0});
   return true;
 }
 
@@ -89,10 +106,13 @@ void Workbench::cover_tiles(Frame& f) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const ImVec2 min(float(rect.min.x), float(rect.min.y)), max(float(rect.max.x), float(rect.max.y));
     list->AddRectFilled(min, max, ImGui::GetColorU32(ImGuiCol_FrameBg));
-    const std::string text = "Predict first: the answer uncovers this view";
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, 0.8f * float(rect.size().x));
-    list->AddText(nullptr, 0.0f, {0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)}, text_color(), text.c_str(),
-                  nullptr, 0.8f * float(rect.size().x));
+    const char *text = "Predict first: the answer uncovers this view", *longest_word = "uncovers";
+    ImFont* font = ImGui::GetFont();
+    const float width = 0.8f * float(rect.size().x), full = ImGui::GetFontSize();
+    const float px = std::min(full, full * width / ImGui::CalcTextSize(longest_word).x);
+    const ImVec2 size = font->CalcTextSizeA(px, 1e9f, width, text);
+    list->AddText(font, px, {0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)}, text_color(), text, nullptr,
+                  width);
     places_["cover." + std::string(name_of(id))] = rect;
   }
 }

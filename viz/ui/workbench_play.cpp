@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What moves by itself for a moment: the camera shift (key A), and the cube view on its way to the world and back (key W).
+// What moves by itself for a moment: the camera shift (key A), the cube view on its way to the world and back (key W), and what a
+// lesson reveals.
 #include <imgui.h>
 
 #include <algorithm>
 
+#include "scene/experiment_between.h"
 #include "ui/workbench.h"
 
 namespace psm {
 namespace {
+
+constexpr double kRevealSeconds = 0.6;
+constexpr const char* kRevealTag = "reveal";
 
 /// 0 at the start, 1 at the end and after, gently at both.
 double eased(double now, double start, double seconds) {
@@ -64,6 +69,34 @@ void Workbench::move_world_to_cube(Experiment& edited, std::string& tag, double 
   tag = "play world to cube";
   wake();
   if (way == 1.0) cube_play_.reset();
+}
+
+/// Undone as one step. Another scene has nothing in common with this one: it is there at once.
+void Workbench::play_reveal(const Experiment& to) {
+  finish_reveal();
+  drag_ = {};
+  model_.end_gesture();
+  if (settings_.reduced_motion || to.scene != model_.experiment().scene) return commit_now(to);
+  reveal_ = Reveal{ImGui::GetTime(), model_.experiment(), to, model_.experiment()};
+  wake();
+}
+
+/// At once at its end; whether there was one.
+bool Workbench::finish_reveal() {
+  if (!reveal_) return false;
+  model_.commit(std::exchange(reveal_, std::nullopt)->to, kRevealTag, ImGui::GetTime());
+  model_.end_gesture();
+  return true;
+}
+
+void Workbench::move_reveal(Experiment& edited, std::string& tag, double now) {
+  if (!reveal_) return;
+  wake();
+  if (edited != reveal_->last) return reveal_.reset();  // the user has taken over
+  const double way = played(now, reveal_->start, kRevealSeconds);
+  edited = reveal_->last = made_valid(model_.experiment(), way < 1.0 ? between(reveal_->from, reveal_->to, way) : reveal_->to);
+  tag = kRevealTag;
+  if (way == 1.0) reveal_.reset();
 }
 
 }  // namespace psm

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An experiment on its way to another one of the same scene.
+#pragma once
+
+#include "scene/experiment.h"
+
+namespace psm {
+
+/// `way` 0: `from`, 1: `to`, but for what cannot lie between two values (a technique, a resolution, a light's type, the views),
+/// which is that of `to` at once. Directions turn; distances that span decades change by equal factors in equal times.
+Experiment between(const Experiment& from, const Experiment& to, double way);
+
+}  // namespace psm
