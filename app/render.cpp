@@ -48,7 +48,7 @@ Sheet sheet_of(const LoadedExperiment& loaded, const RenderRequest& request, con
     return sheet;
   }
   for (std::size_t i = 0; i < request.views.size(); ++i)
-    sheet.panels.push_back({shared, request.views[i], false, std::nullopt, {}, layout.places[i].min, layout.places[i].size()});
+    sheet.panels.push_back({shared, request.views[i], std::nullopt, {}, layout.places[i].min, layout.places[i].size()});
   return sheet;
 }
 

@@ -61,7 +61,6 @@ std::string parameters_of(const Sheet& sheet) {
   std::string text = "[";
   for (const SheetPanel& panel : sheet.panels)
     text += std::string(text.size() > 1 ? "," : "") + "{\"view\": \"" + name_of(panel.view) + "\"" +
-            (panel.scene_in_map ? ", \"shows\": \"scene\"" : "") +
             ", \"experiment\": " + experiment_to_json(panel.loaded->experiment) + "}";
   return text + "]";
 }
@@ -93,7 +92,6 @@ struct SheetPainter::State {
     if (panel.view == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay))
       show_overlay(picture, trace_overlay(renderer, *tracer, analysis, kAllPixels));
     if (probe) append(picture.list, probe_list(*probe, panel.view, analysis, panel.size));
-    if (panel.scene_in_map) show_scene_in_map(picture, analysis);
     for (const Role role : panel.hidden) remove(picture.list, role);
     if (panel.side) drop_divided_numbers(picture, analysis.experiment.view);
     if (panel.title) picture.title = *panel.title;

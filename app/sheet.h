@@ -17,7 +17,6 @@ namespace psm {
 struct SheetPanel {
   std::shared_ptr<const LoadedExperiment> loaded;
   ViewId view = ViewId::world;
-  bool scene_in_map = false;         // of the map view: the lit scene instead of its depth
   std::optional<std::string> title;  // none: the view's own
   std::vector<Role> hidden = {};     // left out
   glm::ivec2 top_left{0}, size{0};

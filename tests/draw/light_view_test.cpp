@@ -9,12 +9,11 @@ namespace psm {
 namespace {
 
 ViewPicture light_view(const std::vector<std::string>& overrides, Analysis& analysis) {
-  const auto loaded = load_experiment("ground", overrides);
+  auto loaded = load_experiment("ground", overrides);
   EXPECT_TRUE(loaded);
+  loaded->experiment.view.map_shows = MapShows::scene;
   analysis = analyze(loaded->experiment, loaded->scene);
-  ViewPicture picture = describe_view(ViewId::map, analysis, loaded->scene, {640, 480});
-  show_scene_in_map(picture, analysis);
-  return picture;
+  return describe_view(ViewId::map, analysis, loaded->scene, {640, 480});
 }
 
 glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3(p) / p.w; }

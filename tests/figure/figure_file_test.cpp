@@ -65,8 +65,6 @@ TEST(FigureFile, SaysWhatIsWrongAndWhatIsAllowed) {
   EXPECT_THAT(complaint(figure_with(R"("panels": [])")), HasSubstr("panels: [] is not allowed; allowed: a list of 1 to"));
   EXPECT_THAT(complaint(figure_with(R"("panels": [{"view": "side"}])")), HasSubstr("panels[0].view: \"side\" is not allowed"));
   EXPECT_THAT(complaint(figure_with(R"("panels": [{"look": 1}])")), HasSubstr("panels[0].look: no such member"));
-  EXPECT_THAT(complaint(figure_with(R"("panels": [{"view": "eye", "shows": "scene"}])")),
-              HasSubstr("panels[0].shows: \"scene\""));
   EXPECT_THAT(complaint(figure_with(R"("panels": [{}], "columns": 0)")), HasSubstr("a whole number in [1, 8]"));
   EXPECT_THAT(complaint(figure_with(R"("panels": [{}], "columns": 1.5)")), HasSubstr("a whole number in [1, 8]"));
   EXPECT_THAT(complaint(figure_with(R"("panels": [{}], "panel_size": [5])")), HasSubstr("[width, height]"));
@@ -77,7 +75,7 @@ TEST(FigureFile, SaysWhatIsWrongAndWhatIsAllowed) {
 TEST(FigureFile, APanelsMembersGoOverTheFigures) {
   const fs::path file = fs::path(::testing::TempDir()) / "psmlab_good.figure.json";
   std::ofstream(file) << figure_with(R"("experiment": {"camera": {"near": 1, "far": 9}}, "hide": ["light"],
-    "panels": [{"experiment": {"camera": {"near": 2}}}, {"view": "map", "shows": "scene", "title": "", "hide": []}])");
+    "panels": [{"experiment": {"camera": {"near": 2}}}, {"view": "map", "title": "", "hide": []}])");
   const auto figure = read_figure(file);
   fs::remove(file);
   ASSERT_TRUE(figure) << figure.error().text;
@@ -86,8 +84,6 @@ TEST(FigureFile, APanelsMembersGoOverTheFigures) {
   EXPECT_EQ(figure->panels[1].experiment, R"({"camera":{"far":9,"near":1}})");
   EXPECT_EQ(figure->panels[0].hidden, std::vector<Role>{Role::light});
   EXPECT_TRUE(figure->panels[1].hidden.empty());
-  EXPECT_FALSE(figure->panels[0].scene_in_map);
-  EXPECT_TRUE(figure->panels[1].scene_in_map);
   EXPECT_FALSE(figure->panels[0].title);
   EXPECT_EQ(figure->panels[1].title, "");
 }

@@ -33,22 +33,6 @@ class Grid {
   std::vector<double> values_;
 };
 
-/// 1, 2, 5, 10 ... over the values, up to 150 times the least.
-std::vector<double> levels_of(const Grid& grid) {
-  double low = INFINITY, high = 0.0;
-  for (const double v : grid.values())
-    if (std::isfinite(v) && v > 0.0) low = std::min(low, v), high = std::max(high, v);
-  high = std::min(high, low * kMostAboveLeast);
-  std::vector<double> levels;
-  if (!(low < high)) return levels;
-  for (int e = int(std::floor(std::log10(low))); e <= int(std::ceil(std::log10(high))); ++e)
-    for (const double digit : {1.0, 2.0, 5.0}) {
-      const double level = digit * std::pow(10.0, e);
-      if (level > low && level < high) levels.push_back(level);
-    }
-  return levels;
-}
-
 /// Runs of one band along each column.
 void add_bands(const Grid& grid, const std::vector<double>& levels, Chart& chart) {
   const auto band = [&](int i, int j) {
@@ -100,9 +84,24 @@ void add_level(const Grid& grid, double level, Chart& chart) {
 
 Warp surface_warp(const CurveSetting& setting) { return setting.current.value_or(Warp::gmnpr); }
 
+std::vector<double> surface_levels(const std::vector<double>& values) {
+  double low = INFINITY, high = 0.0;
+  for (const double v : values)
+    if (std::isfinite(v) && v > 0.0) low = std::min(low, v), high = std::max(high, v);
+  high = std::min(high, low * kMostAboveLeast);
+  std::vector<double> levels;
+  if (!(low < high)) return levels;
+  for (int e = int(std::floor(std::log10(low))); e <= int(std::ceil(std::log10(high))); ++e)
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double level = digit * std::pow(10.0, e);
+      if (level > low && level < high) levels.push_back(level);
+    }
+  return levels;
+}
+
 void add_surface(const CurveSetting& setting, Chart& chart) {
   const Grid grid(setting, surface_warp(setting));
-  const std::vector<double> levels = levels_of(grid);
+  const std::vector<double> levels = surface_levels(grid.values());
   add_bands(grid, levels, chart);
   for (const double level : levels) add_level(grid, level, chart);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/curve_relief.h"
 #include "draw/curve_surface.h"
 #include "draw/sketch.h"
 
@@ -34,11 +35,6 @@ const Look& look_of(Warp warp) {
 
 bool is_log(CurveKind kind) { return kind != CurveKind::lambda && kind != CurveKind::rho; }
 
-std::string frustum_text(const CurveSetting& s) {
-  return "n = " + short_number(s.range.n, 4) + ", f = " + short_number(s.range.f, 4) +
-         ", φ = " + short_number(s.range.phi_deg, 4) + "°" + (s.from_papers ? " (papers)" : "");
-}
-
 std::string quantity_text(CurveKind kind) {
   switch (kind) {
     case CurveKind::lambda:
@@ -56,6 +52,7 @@ std::string quantity_text(CurveKind kind) {
       return "storage factor";
     case CurveKind::F_z:
     case CurveKind::surface:
+    case CurveKind::relief:
       return "F";
     case CurveKind::E_z:
       return "E = F sin θ";
@@ -155,8 +152,13 @@ Chart chart_over_z(CurveKind kind, const CurveSetting& setting) {
 const char* display_name(CurveKind kind) {
   constexpr const char* names[] = {"λ(θ)",         "λ(θ), logarithmic",     "ρ(θ)",           "largest F(θ)",
                                    "largest E(θ)", "largest E(θ), frustum", "storage factor", "F(z)",
-                                   "E(z)",         "F(θ, z), surface"};
+                                   "E(z)",         "F(θ, z), map",          "F(θ, z), relief"};
   return names[int(kind)];
+}
+
+std::string frustum_text(const CurveSetting& s) {
+  return "n = " + short_number(s.range.n, 4) + ", f = " + short_number(s.range.f, 4) +
+         ", φ = " + short_number(s.range.phi_deg, 4) + "°" + (s.from_papers ? " (papers)" : "");
 }
 
 Role curve_role(Warp warp) { return look_of(warp).role; }
@@ -194,13 +196,17 @@ CurveReading read_curves(CurveKind kind, const CurveSetting& setting, const glm:
 ViewPicture describe_curves(const Analysis& analysis, const glm::dvec2& page) {
   const CurveKind kind = analysis.experiment.view.curve;
   const CurveSetting setting = curve_setting(analysis);
-  const Chart chart = curve_chart(kind, setting);
   ViewPicture picture;
   picture.id = ViewId::curves;
   picture.title = std::string("Curves: ") + display_name(kind);
-  if (kind == CurveKind::surface) picture.title += std::string(", ") + display_name(surface_warp(setting));
+  if (is_over_both(kind)) picture.title += std::string(", ") + display_name(surface_warp(setting));
   picture.scene = ScenePicture::none;
   picture.clip_from_world = picture.clip_from_list = clip_from_page(page);
+  if (kind == CurveKind::relief) {
+    picture.list = relief_list(setting, page);
+    return picture;
+  }
+  const Chart chart = curve_chart(kind, setting);
   picture.chart = chart_frame(chart, page);
   picture.list = chart_list(chart, *picture.chart);
   return picture;

@@ -16,6 +16,10 @@ const char* display_name(CurveKind kind);
 /// Its colour in every plot; the family has the colour, the member the dashes.
 Role curve_role(Warp warp);
 
+/// "n = 1, f = 100, φ = 30°".
+std::string frustum_text(const CurveSetting& setting);
+
+/// Of every kind but the relief.
 Chart curve_chart(CurveKind kind, const CurveSetting& setting);
 
 /// Where x is the angle: theta, folded to [0, 90]; the model is the same on both sides.

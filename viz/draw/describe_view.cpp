@@ -60,6 +60,7 @@ std::string map_remark(const Analysis& analysis) {
 ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene&, glm::ivec2 size, double scale) {
   ViewPicture picture = describe(id, analysis, size, glm::dvec2(glm::max(size, glm::ivec2(1))) / scale);
   add_texel_overlay(picture, analysis, size);
+  if (id == ViewId::map && analysis.experiment.view.map_shows == MapShows::scene) show_scene_in_map(picture, analysis);
   drop_overflow(picture.list);
   return picture;
 }

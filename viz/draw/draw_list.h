@@ -53,6 +53,7 @@ struct DrawFill {
   std::vector<glm::dvec4> corners;  // homogeneous, w > 0
   Role role = Role::neutral;
   double alpha = 0.16;
+  bool covers = false;  // hides what is behind it: its colour is mixed with the picture's ground
 };
 
 struct DrawPoint {

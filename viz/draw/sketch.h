@@ -91,6 +91,10 @@ ViewPicture describe_body(const Analysis& analysis, glm::ivec2 size);
 ViewPicture describe_curves(const Analysis& analysis, const glm::dvec2& page);  // in pixels at scale 1
 ViewPicture describe_explorer(const Analysis& analysis, const glm::dvec2& page);
 
+/// The map view's picture with the lit scene instead of the depths: what the light sees, in the map's projection. As it was where
+/// there is no single map.
+void show_scene_in_map(ViewPicture& map, const Analysis& analysis);
+
 /// For a view's title: why it is not the map that was asked for, such as ", uniform, not glpr"; "" where it is.
 std::string map_remark(const Analysis& analysis);
 

@@ -41,7 +41,10 @@ glm::vec3 picture_line_color(Role role, Theme theme) {
   return with_contrast(theme == Theme::light ? role_line_color(role) : role_color(role), picture_ground(theme), kLineContrast);
 }
 
-glm::vec3 picture_fill_color(Role role, Theme) { return role_color(role); }
+glm::vec4 picture_fill(const DrawFill& fill, Theme theme) {
+  if (!fill.covers) return {role_color(fill.role), float(fill.alpha)};
+  return {glm::mix(picture_ground(theme), picture_line_color(fill.role, theme), float(fill.alpha)), 1.0f};
+}
 
 glm::vec3 picture_label_color(Role role, Theme theme) {
   const glm::vec3 color = theme == Theme::light ? role_text_color(role) : role_color(role);

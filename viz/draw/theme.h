@@ -26,8 +26,8 @@ glm::vec3 picture_outside(Theme theme);
 /// ground that meaningful lines need (WCAG); yellow and orange on white do not have it by themselves.
 glm::vec3 picture_line_color(Role role, Theme theme);
 
-/// For translucent fills: the role's colour as it is.
-glm::vec3 picture_fill_color(Role role, Theme theme);
+/// Colour and opacity of a fill: translucent ones have the role's colour as it is.
+glm::vec4 picture_fill(const DrawFill& fill, Theme theme);
 
 /// For labels: at least 7:1, so that they read from a projector as well.
 glm::vec3 picture_label_color(Role role, Theme theme);

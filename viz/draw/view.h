@@ -48,10 +48,6 @@ struct ViewPicture {
 /// Pure. `size` in pixels: its aspect decides the letterbox and the fit. `scale`: of type, for which plots leave room.
 ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene& scene, glm::ivec2 size, double scale = 1.0);
 
-/// The map view's picture with the lit scene instead of the depths: what the light sees, in the map's projection. As it was where
-/// there is no single map.
-void show_scene_in_map(ViewPicture& map, const Analysis& analysis);
-
 /// Where an orbit looks from: the camera's view matrix and the perspective of a view of this aspect. `extent_min`, `extent_max`:
 /// the box that distance 0 fits. With distance 0 and target 0 (both unset) it turns around the middle of that box; who then zooms
 /// or pans stores the resolved `target` and `distance` first.

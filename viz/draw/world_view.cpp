@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "draw/sketch.h"
+#include "geom/frustum.h"
 #include "math/projective.h"
 
 namespace psm {
@@ -76,10 +77,28 @@ class WorldView {
   }
 
   void caster_body() {
-    const ConvexBody& h = analysis_.caster_body;
-    if (h.empty()) return;
-    sketch_.body(h, glm::dmat4(1.0), 0.10, {Role::caster_body, 1.5});
-    sketch_.label(view_.furthest(h.vertices, {-0.6, 1.0}), "H", Role::caster_body, 7);
+    const bool extended = analysis_.experiment.view.world_body == WorldBody::M;
+    const ConvexBody body = extended ? extended_frustum() : analysis_.caster_body;
+    if (body.empty()) return;
+    sketch_.body(body, glm::dmat4(1.0), 0.10, {Role::caster_body, 1.5});
+    std::vector<glm::dvec3> shown;
+    for (const glm::dvec3& p : body.vertices)
+      if (sketch_.limits().fade(p) > 0.5) shown.push_back(p);
+    if (!shown.empty()) sketch_.label(view_.furthest(shown, {-0.6, 1.0}), extended ? "M" : "H", Role::caster_body, 7);
+  }
+
+  /// M = hull(V + l), as far as the view reaches.
+  ConvexBody extended_frustum() const {
+    const CameraSettings& camera = analysis_.experiment.camera;
+    const double tan_y = std::tan(0.5 * glm::radians(camera.vertical_fov_deg));
+    const ViewFrame v{camera.position,
+                      -glm::dvec3(row(analysis_.view_from_world, 2)),
+                      glm::dvec3(row(analysis_.view_from_world, 0)),
+                      glm::dvec3(row(analysis_.view_from_world, 1)),
+                      tan_y * analysis_.experiment.image.aspect(),
+                      tan_y};
+    const Box& room = sketch_.limits().outer;
+    return clip(box_body(room.min, room.max), frustum_hull_with_light(v, camera.near, camera.far, analysis_.light));
   }
 
   /// What the map covers: the cube of map clip space, pulled back; its edges near the scene, and its part of S as a body.

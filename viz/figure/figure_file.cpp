@@ -78,7 +78,7 @@ std::vector<Role> roles_in(const json& object, const std::string& place, const s
 }
 
 FigurePanel read_panel(const json& object, const std::string& place, const json& shared, const std::vector<Role>& hidden) {
-  allow_only(object, place, {"view", "shows", "title", "experiment", "hide"});
+  allow_only(object, place, {"view", "title", "experiment", "hide"});
   FigurePanel panel;
   panel.hidden = roles_in(object, place + ".", hidden);
   const json view = object.value("view", json("world"));
@@ -89,11 +89,6 @@ FigurePanel read_panel(const json& object, const std::string& place, const json&
     if (view == name_of(id)) panel.view = id, known = true;
   }
   if (!known) refuse(place + ".view", view, "one of: " + names);
-  if (const auto shows = object.find("shows"); shows != object.end()) {
-    if (panel.view != ViewId::map || (*shows != "depth" && *shows != "scene"))
-      refuse(place + ".shows", *shows, "with the view map: depth or scene");
-    panel.scene_in_map = *shows == "scene";
-  }
   if (const auto title = object.find("title"); title != object.end()) {
     if (!title->is_string()) refuse(place + ".title", *title, "a line of text");
     panel.title = *title;

@@ -16,7 +16,6 @@ namespace psm {
 
 struct FigurePanel {
   ViewId view = ViewId::world;
-  bool scene_in_map = false;         // of the map view: the lit scene instead of its depth
   std::optional<std::string> title;  // none: the view's own
   std::string experiment;            // JSON: the figure's members, with the panel's own over them
   std::vector<Role> hidden;          // the figure's, or the panel's own instead

@@ -205,7 +205,7 @@ PagePanel view_panel(const ViewPicture& picture, const PictureFrame& frame, View
   for (const DrawFill& fill : picture.list.fills) {
     const FlatFill flat = flatten(fill, picture, frame);
     if (flat.corners.size() < 3 || is_hidden(flat, scene)) continue;
-    polygons.push_back({{}, glm::vec4(picture_fill_color(fill.role, frame.theme), float(fill.alpha))});
+    polygons.push_back({{}, picture_fill(fill, frame.theme)});
     for (const glm::dvec2& corner : flat.corners) polygons.back().corners.push_back(builder.on_page(corner));
     depths.push_back(flat.mean_depth());
   }

@@ -163,7 +163,7 @@ std::vector<FillVertex> fill_vertices(const DrawList& list, const glm::dmat4& cl
       corners.emplace_back(glm::dvec4(clip.x, clip.y, clip.z - kPull * clip.w, clip.w) / largest);
     }
     if (corners.size() != fill.corners.size()) continue;
-    const glm::vec4 color(picture_fill_color(fill.role, frame.theme), float(fill.alpha));
+    const glm::vec4 color = picture_fill(fill, frame.theme);
     for (std::size_t i = 2; i < corners.size(); ++i) {
       for (const glm::vec4& corner : {corners[0], corners[i - 1], corners[i]}) vertices.push_back({corner, color});
     }

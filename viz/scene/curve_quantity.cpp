@@ -86,7 +86,9 @@ CurveSetting curve_setting(const Analysis& a) {
   return setting;
 }
 
-bool is_over_z(CurveKind kind) { return kind == CurveKind::F_z || kind == CurveKind::E_z || kind == CurveKind::surface; }
+bool is_over_both(CurveKind kind) { return kind == CurveKind::surface || kind == CurveKind::relief; }
+
+bool is_over_z(CurveKind kind) { return kind == CurveKind::F_z || kind == CurveKind::E_z || is_over_both(kind); }
 
 double curve_value(CurveKind kind, const CurveRange& range, double theta_deg, double z, Warp warp) {
   const WarpModel<double> model = curve_model(range, theta_deg);
@@ -100,6 +102,7 @@ double curve_value(CurveKind kind, const CurveRange& range, double theta_deg, do
       return strength.rho;
     case CurveKind::F_z:
     case CurveKind::surface:
+    case CurveKind::relief:
       return model.F(z, strength.rho);
     case CurveKind::E_z:
       return model.E(z, strength.rho);

@@ -24,6 +24,9 @@ CurveSetting curve_setting(const Analysis& analysis);
 /// The curve of a technique of the experiment; none for those that are no warp of the 2D model.
 std::optional<Warp> warp_of(Technique technique);
 
+/// Over theta and z.
+bool is_over_both(CurveKind kind);
+
 /// Over z at the setting's theta, or over both; else over theta.
 bool is_over_z(CurveKind kind);
 
@@ -38,8 +41,9 @@ struct CriticalAngle {
   double theta_deg;
   std::string text;
 };
-/// theta = phi, which is all over depth; for lambda and rho the angle below which GMNPR's Eq. 4 gives no positive lambda; for errors the angles below
-/// which GMNPR, LiSPSM and the current technique are worse than the uniform map. What does not happen is left out.
+/// theta = phi, which is all over depth; for lambda and rho the angle below which GMNPR's Eq. 4 gives no positive lambda; for
+/// errors the angles below which GMNPR, LiSPSM and the current technique are worse than the uniform map. What does not happen is
+/// left out.
 std::vector<CriticalAngle> critical_angles(CurveKind kind, const CurveSetting& setting);
 
 /// Short names for curves: "LiSPSM".

@@ -27,8 +27,8 @@ constexpr std::array kShiftRules{"auto", "in_front", "inside"};
 constexpr std::array kEyeOverlays{"none", "texel_size", "anisotropy", "errors", "penumbra"};
 constexpr std::array kCulls{"none", "front", "back"};
 constexpr std::array kFilters{"none", "hardware", "pcf"};
-constexpr std::array kCurveKindNames{"lambda",    "log_lambda", "rho", "F_max", "E_max",
-                                     "E_frustum", "storage",    "F_z", "E_z",   "surface"};
+constexpr std::array kCurveKindNames{"lambda",  "log_lambda", "rho", "F_max",   "E_max", "E_frustum",
+                                     "storage", "F_z",        "E_z", "surface", "relief"};
 static_assert(kCurveKindNames.size() == kCurveKinds);
 constexpr std::array kViews{"world", "cube", "map", "eye", "body", "curves", "explorer"};
 static_assert(kViews.size() == kAllViews.size());
@@ -218,12 +218,17 @@ void add_view(std::vector<Field>& rows) {
                      .within(0, 1));
   rows.push_back(Row("view.curve", PSM_CHOICE(as_list(kCurveKindNames), view.curve), "",
                      "What the curves view plots: the warp's strength, its errors F or E, or the storage factor over the light's "
-                     "angle; F or E over depth; or F over both."));
+                     "angle; F or E over depth; or F over both, as a map or as a relief."));
   rows.push_back(Row("view.curve_range", PSM_CHOICE((std::vector<std::string>{"experiment", "papers"}), view.curve_range), "",
                      "Whose n, f and phi the curves are for: the experiment's, or the papers' 1, 100 and 30 degrees."));
   rows.push_back(
       Row("view.explorer_slice", PSM_CHOICE((std::vector<std::string>{"side", "above"}), view.explorer_slice), "",
           "The explorer's slice of light positions, through the eye along the view: seen from the side, or from above."));
+  rows.push_back(Row("view.world_body", PSM_CHOICE((std::vector<std::string>{"H", "M"}), view.world_body), "",
+                     "The body in the world view: H, or M, the frustum extended towards the light, before S and L cut it."));
+  rows.push_back(
+      Row("view.map_shows", PSM_CHOICE((std::vector<std::string>{"depth", "scene"}), view.map_shows), "",
+          "What the map view shows: the map's depths, or the scene as the light sees it through the map's projection."));
   rows.push_back(Row("view.map_center", PSM_REF(Vec2Ref, view.map_center), "half map sides",
                      "The point of the shadow map at the middle of its view.")
                      .within(-1e6, 1e6));

@@ -59,10 +59,13 @@ inline constexpr std::array kAllViews{ViewId::world, ViewId::cube,   ViewId::map
 inline constexpr std::array kMainViews{ViewId::world, ViewId::cube, ViewId::map, ViewId::eye};  // shown unless asked otherwise
 inline constexpr std::size_t kMostTiles = 4;
 /// What the curves view plots, by the two-dimensional model of viz/math/warp.h: over theta, over depth, or over both.
-enum class CurveKind { lambda, log_lambda, rho, F_max, E_max, E_frustum, storage, F_z, E_z, surface };
-inline constexpr std::size_t kCurveKinds = 10;
+enum class CurveKind { lambda, log_lambda, rho, F_max, E_max, E_frustum, storage, F_z, E_z, surface, relief };
+inline constexpr std::size_t kCurveKinds = 11;
 enum class CurveFrustum { experiment, papers };
 enum class ExplorerSlice { side, above };
+enum class MapShows { depth, scene };
+/// H, or M: the frustum extended towards the light, before the scene's bounds and the light's frustum cut it.
+enum class WorldBody { H, M };
 
 struct SceneSettings {
   std::string source = "chessboard";
@@ -133,6 +136,8 @@ struct ViewSettings {
   CurveFrustum curve_range = CurveFrustum::experiment;  // whose n, f and phi
   ExplorerSlice explorer_slice = ExplorerSlice::side;   // of positions: upwards, or to the side
   double world_to_cube = 1.0;                           // of the cube view: 0 the world, seen from infinity, to 1 the cube
+  WorldBody world_body = WorldBody::H;                  // in the world view
+  MapShows map_shows = MapShows::depth;                 // the map, or the lit scene in its place
   glm::dvec2 map_center{0.0};                           // map clip space
   double map_zoom = 1.0;                                // 1: the whole map
   EyeOverlay eye_overlay = EyeOverlay::none;            // what the eye view's colours mean

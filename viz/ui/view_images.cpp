@@ -11,9 +11,9 @@ namespace {
 /// What the picture of this view depends on; the rest at its defaults.
 ViewSettings relevant(ViewId id, const ViewSettings& view) {
   ViewSettings out;
-  if (id == ViewId::world) out.world = view.world;
+  if (id == ViewId::world) out.world = view.world, out.world_body = view.world_body;
   if (id == ViewId::cube) out.cube = view.cube, out.world_to_cube = view.world_to_cube;
-  if (id == ViewId::map) out.map_center = view.map_center, out.map_zoom = view.map_zoom;
+  if (id == ViewId::map) out.map_center = view.map_center, out.map_zoom = view.map_zoom, out.map_shows = view.map_shows;
   if (id == ViewId::eye) out.eye_overlay = view.eye_overlay, out.compare = view.compare, out.compare_layout = view.compare_layout;
   if (id == ViewId::body) out.body = view.body;
   if (id == ViewId::curves) out.curve = view.curve, out.curve_range = view.curve_range;
