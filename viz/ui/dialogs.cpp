@@ -83,8 +83,8 @@ void Dialogs::show_error(const std::string& error, Kind asked, const std::string
 
 Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
   Answer answer;
-  age_ = shown_ == Kind::none ? 0 : age_ + 1;
   if (shown_ == Kind::none) return answer;
+  ++age_;
   const char* title = title_of(shown_);
   if (opens_) ImGui::OpenPopup(title);
   const ImGuiViewport* viewport = ImGui::GetMainViewport();

@@ -20,9 +20,8 @@ class Dialogs {
   /// What went wrong with a path; afterwards the dialog that asked for it is there again, with the path.
   void show_error(const std::string& error, Kind asked, const std::string& path);
   Kind shown() const { return closing_ ? Kind::none : shown_; }
-  /// A new pop-up needs some frames until its first field takes keys, and ImGui one to forget the field of a closed one; keys
-  /// typed meanwhile must wait.
-  bool settling() const { return shown() != Kind::none ? age_ < 3 : age_ > 0; }
+  /// A new pop-up needs some frames until its first field takes keys; those typed meanwhile must wait.
+  bool settling() const { return shown() != Kind::none && age_ < 3; }
   /// It can be read and closed, nothing else: Enter closes it.
   bool only_closes() const { return shown() == Kind::error || shown() == Kind::help; }
   void close() { closing_ = true; }
@@ -48,7 +47,7 @@ class Dialogs {
 
   Kind shown_ = Kind::none;
   bool opens_ = false;    // in the next frame
-  int age_ = 0;           // frames; 0 again in the frame after the end
+  int age_ = 0;           // frames
   bool closing_ = false;  // at the end of this frame: ImGui must see a pop-up once more to let go of it
   std::string text_;
   Kind back_to_ = Kind::none;  // after an error
