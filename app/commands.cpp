@@ -161,7 +161,8 @@ int show_window(const ExperimentArguments& arguments, const std::string& lesson,
   if (!lesson.empty())
     if (const auto error = check_lesson_argument(lesson)) return bad_input(*error);
   if (!display_available()) return draw_without_display(*loaded);
-  const auto error = run_window(*loaded, lesson, present);
+  const bool nothing = !arguments.source && arguments.overrides.empty() && lesson.empty() && !present;
+  const auto error = run_window(*loaded, {lesson, present, nothing});
   return error ? other_failure(*error) : kDone;
 }
 

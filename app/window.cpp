@@ -86,7 +86,7 @@ GLFWmonitor* monitor_at(glm::ivec2 point) {
 /// The window with everything in it. GLFW's callbacks find it by the window's user pointer.
 class App {
  public:
-  App(GLFWwindow* window, const LoadedExperiment& loaded, const std::string& lesson);
+  App(GLFWwindow* window, const LoadedExperiment& loaded, const WindowStart& start);
   ~App() { ImGui_ImplGlfw_Shutdown(); }
   void run();
   void present(bool on) { workbench_.present(on); }
@@ -99,7 +99,7 @@ class App {
   void draw();
   void fill_screen_while_presenting();
   glm::dvec2 framebuffer_point(double x, double y) const;
-  static WorkbenchOptions options(const std::string& lesson);
+  static WorkbenchOptions options(const WindowStart& start);
 
   GLFWwindow* window_;
   InputQueue input_;
@@ -111,13 +111,14 @@ class App {
   glm::ivec2 place_{0}, size_{0};  // of the window before it filled the screen
 };
 
-WorkbenchOptions App::options(const std::string& lesson) {
+WorkbenchOptions App::options(const WindowStart& start) {
   WorkbenchOptions options;
   options.assets = assets_folder();
   options.font = font_file();
   options.settings = settings_file();
   options.lessons = lessons_folder();
-  options.lesson = lesson;
+  options.lesson = start.lesson;
+  options.start_card = start.asks_for_nothing;
   options.write_picture = [](const std::filesystem::path& file, const Image& image) {
     return write_png(file, image.width, image.height, image.rgba);
   };
@@ -125,8 +126,8 @@ WorkbenchOptions App::options(const std::string& lesson) {
   return options;
 }
 
-App::App(GLFWwindow* window, const LoadedExperiment& loaded, const std::string& lesson)
-    : window_(window), host_(Screen::Target::window), workbench_(loaded, options(lesson)), last_time_(glfwGetTime()) {
+App::App(GLFWwindow* window, const LoadedExperiment& loaded, const WindowStart& start)
+    : window_(window), host_(Screen::Target::window), workbench_(loaded, options(start)), last_time_(glfwGetTime()) {
   ImGui_ImplGlfw_InitForOpenGL(window, false);
   glfwSetWindowUserPointer(window, this);
   install_callbacks();
@@ -239,15 +240,15 @@ void App::run() {
 
 bool display_available() { return bool(Glfw()); }
 
-std::optional<InputError> run_window(const LoadedExperiment& loaded, const std::string& lesson, bool present) {
+std::optional<InputError> run_window(const LoadedExperiment& loaded, const WindowStart& start) {
   const Glfw glfw;
   if (!glfw) return InputError{"cannot open a window: " + glfw_error()};
   const WindowPtr window = open_window("psmlab");
   if (!window) return InputError{"cannot open a window with OpenGL: " + glfw_error()};
   glfwMakeContextCurrent(window.get());
   glfwSwapInterval(1);
-  App app(window.get(), loaded, lesson);
-  app.present(present);
+  App app(window.get(), loaded, start);
+  app.present(start.present);
   app.run();
   return std::nullopt;
 }

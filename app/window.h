@@ -12,8 +12,13 @@ namespace psm {
 /// False where no window can be opened (no display).
 bool display_available();
 
-/// Opens the window on this experiment and runs until it is closed. `lesson`: see WorkbenchOptions. `present`: in front of a
-/// class, at once. An error if the window cannot be opened.
-std::optional<InputError> run_window(const LoadedExperiment& loaded, const std::string& lesson, bool present);
+struct WindowStart {
+  std::string lesson;             // see WorkbenchOptions
+  bool present = false;           // in front of a class, at once
+  bool asks_for_nothing = false;  // no experiment, lesson or presentation: the first run says where to begin
+};
+
+/// Opens the window on this experiment and runs until it is closed. An error if the window cannot be opened.
+std::optional<InputError> run_window(const LoadedExperiment& loaded, const WindowStart& start);
 
 }  // namespace psm

@@ -102,7 +102,7 @@ TEST(Quiz, AsksAnswersAndShows) {
   const int right = bench.work().quiz()->question().right;
   EXPECT_FALSE(bench.on_screen("quiz.next")) << "predict first";
   bench.click(bench.at("quiz.answer=" + std::to_string(right)));
-  EXPECT_EQ(bench.work().quiz()->right_answers(), 1);
+  EXPECT_EQ(bench.work().quiz()->score().right, 1);
   EXPECT_EQ(bench.experiment().light, before);
   bench.click(bench.at("quiz.show"));
   EXPECT_EQ(bench.experiment().light, bench.work().quiz()->light());
@@ -111,6 +111,29 @@ TEST(Quiz, AsksAnswersAndShows) {
   EXPECT_FALSE(bench.work().quiz()->answered());
   bench.click(bench.at("quiz.close"));
   EXPECT_FALSE(bench.work().quiz());
+}
+
+TEST(Quiz, TheScoreOutlivesThePanelAndTheProgram) {
+  Bench bench("ground");
+  bench.key('Q');
+  bench.click(bench.at("quiz.answer=" + std::to_string(bench.work().quiz()->question().right)));
+  bench.key('Q');
+  bench.key('Q');
+  EXPECT_EQ(bench.work().quiz()->score(), (QuizScore{1, 1}));
+  EXPECT_EQ(read_settings(bench.folder() / "config" / "settings.txt").quiz, (QuizScore{1, 1}));
+  bench.click(bench.at("quiz.reset"));
+  EXPECT_EQ(bench.work().quiz()->score(), QuizScore{});
+  EXPECT_EQ(read_settings(bench.folder() / "config" / "settings.txt").quiz, QuizScore{});
+}
+
+TEST(Quiz, IsPlayedByKeys) {
+  Bench bench("ground");
+  bench.key('Q');
+  bench.key(key::down);
+  bench.key(' ');
+  EXPECT_EQ(bench.work().quiz()->chosen(), 1) << "the first answer has the keys at first";
+  bench.key(' ');
+  EXPECT_EQ(bench.work().quiz()->number(), 2) << "then Next has them";
 }
 
 }  // namespace

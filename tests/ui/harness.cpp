@@ -22,7 +22,7 @@ ScratchFolder::~ScratchFolder() {
 }
 
 Bench::Bench(const std::string& source, const std::vector<std::string>& overrides, glm::ivec2 size,
-             const std::filesystem::path& lessons, const std::string& lesson)
+             const std::filesystem::path& lessons, const std::string& lesson, bool start_card)
     : size_(size) {
   auto context = HeadlessContext::create();
   EXPECT_TRUE(context) << context.error().text;
@@ -36,6 +36,7 @@ Bench::Bench(const std::string& source, const std::vector<std::string>& override
   options.settings = folder_.path() / "config" / "settings.txt";
   options.lessons = lessons;
   options.lesson = lesson;
+  options.start_card = start_card;
   options.pictures = folder_.path();
   options.write_picture = [](const std::filesystem::path& file, const Image& image) {
     return write_png(file, image.width, image.height, image.rgba);

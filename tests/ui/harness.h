@@ -28,7 +28,8 @@ class ScratchFolder {
 class Bench {
  public:
   explicit Bench(const std::string& source = "ground", const std::vector<std::string>& overrides = {},
-                 glm::ivec2 size = {1024, 768}, const std::filesystem::path& lessons = {}, const std::string& lesson = "");
+                 glm::ivec2 size = {1024, 768}, const std::filesystem::path& lessons = {}, const std::string& lesson = "",
+                 bool start_card = false);
 
   Workbench& work() { return *workbench_; }
   const Experiment& experiment() const { return workbench_->model().experiment(); }

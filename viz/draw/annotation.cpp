@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "draw/annotation.h"
 
+#include <algorithm>
+
 #include "draw/legend_layout.h"
 
 namespace psm {
@@ -37,6 +39,19 @@ void add_fixed_texts(const ViewPicture& picture, const PictureFrame& frame, cons
   }
 }
 
+/// In as many lines as a narrow view needs; returns its plate.
+Plate add_title(const std::string& title, const PictureFrame& frame, const TextSize& text_size, Annotations& out) {
+  const glm::vec3 color = picture_label_color(Role::neutral, frame.theme);
+  const glm::dvec2 corner(kTitleInset * frame.scale);
+  glm::dvec2 extent(0.0);
+  for (const std::string& line : broken_lines(title, frame.size.x - 2.0 * corner.x, text_size)) {
+    const glm::dvec2 size = text_size(line);
+    out.texts.push_back({corner + glm::dvec2(0.0, extent.y), size, line, color});
+    extent = {std::max(extent.x, size.x), extent.y + size.y};
+  }
+  return plate_around(corner, extent, color, frame);
+}
+
 }  // namespace
 
 Annotations annotate(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size) {
@@ -44,9 +59,7 @@ Annotations annotate(const ViewPicture& picture, const PictureFrame& frame, cons
   std::vector<Occupied> occupied;
   std::vector<Plate> title, legend;
   if (!picture.title.empty()) {
-    const glm::vec3 color = picture_label_color(Role::neutral, frame.theme);
-    out.texts.push_back({glm::dvec2(kTitleInset * frame.scale), text_size(picture.title), picture.title, color});
-    title.push_back(plate_around(out.texts.back().top_left, out.texts.back().size, color, frame));
+    title.push_back(add_title(picture.title, frame, text_size, out));
     occupied.push_back({title.back().top_left, title.back().size});
   }
   if (!picture.legend.empty()) occupied.push_back(lay_out_legend(picture.legend, frame, text_size, out.texts, legend, out.marks));

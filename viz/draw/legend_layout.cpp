@@ -35,21 +35,6 @@ glm::dvec2 flow(std::vector<Item>& items, double scale, double width) {
   return extent;
 }
 
-/// A text that is wider than the view, in pieces that are not.
-std::vector<std::string> broken(const std::string& text, double width, const TextSize& text_size) {
-  std::vector<std::string> lines{""};
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at + 1), text.size());
-    const std::string word = text.substr(at, end - at);
-    if (!lines.back().empty() && text_size(lines.back() + word).x > width)
-      lines.push_back(word.substr(word.find_first_not_of(' ')));
-    else
-      lines.back() += word;
-    at = end;
-  }
-  return lines;
-}
-
 void hatch(std::vector<Mark>& marks, const PictureFrame& frame, glm::dvec2 corner, glm::dvec2 size, const glm::vec3& color) {
   const bool pale = glm::dot(color, glm::vec3(0.3f, 0.6f, 0.1f)) > 0.4f;
   const glm::vec4 ink(glm::vec3(pale ? 0.0f : 1.0f), 0.5f);
@@ -70,9 +55,9 @@ struct Flowed {
 Flowed flowed(const Legend& legend, const PictureFrame& frame, const TextSize& text_size) {
   const double s = frame.scale, swatch = kSwatchWidth * s, gap = kGap * s, width = frame.size.x - 2.0 * (kInset + kPadding) * s;
   Flowed out;
-  if (!legend.title.empty()) out.head = broken(legend.title, width, text_size);
+  if (!legend.title.empty()) out.head = broken_lines(legend.title, width, text_size);
   for (const std::string& line : legend.lines)
-    for (std::string& part : broken(line, width, text_size)) out.tail.push_back(std::move(part));
+    for (std::string& part : broken_lines(line, width, text_size)) out.tail.push_back(std::move(part));
   const auto add_text = [&](const std::string& text) {
     const glm::dvec2 size = text_size(text);
     out.items.push_back({{}, size, size, nullptr, &text});
@@ -100,6 +85,20 @@ Legend fitting(Legend legend, const PictureFrame& frame, const TextSize& text_si
 }
 
 }  // namespace
+
+std::vector<std::string> broken_lines(const std::string& text, double width, const TextSize& text_size) {
+  std::vector<std::string> lines{""};
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at + 1), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (!lines.back().empty() && text_size(lines.back() + word).x > width)
+      lines.push_back(word.substr(word.find_first_not_of(' ')));
+    else
+      lines.back() += word;
+    at = end;
+  }
+  return lines;
+}
 
 Occupied lay_out_legend(const Legend& asked, const PictureFrame& frame, const TextSize& text_size, std::vector<TextBox>& texts,
                         std::vector<Plate>& plates, std::vector<Mark>& marks) {

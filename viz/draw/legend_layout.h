@@ -2,11 +2,15 @@
 // A view's legend as texts, plates and marks: what the colours mean, and numbers, in the lower left corner.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "draw/annotation.h"
 
 namespace psm {
+
+/// A text that is wider than this, in lines that are not, as far as its blanks allow.
+std::vector<std::string> broken_lines(const std::string& text, double width, const TextSize& text_size);
 
 /// Appends texts, plates (the ground first, then the swatches) and the lines that hatch swatches; returns the part of the view
 /// that is taken.

@@ -112,8 +112,8 @@ void LightQuiz::next(const Experiment& experiment, const Scene& scene) {
 void LightQuiz::answer(int choice) {
   if (answered() || choice < 0 || choice >= int(question().choices.size())) return;
   chosen_ = choice;
-  ++answers_;
-  right_ += was_right();
+  ++score_.answers;
+  score_.right += was_right();
 }
 
 }  // namespace psm

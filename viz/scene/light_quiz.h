@@ -12,6 +12,11 @@
 
 namespace psm {
 
+struct QuizScore {
+  int right = 0, answers = 0;
+  bool operator==(const QuizScore&) const = default;
+};
+
 struct QuizQuestion {
   std::string prompt;
   std::vector<std::string> choices;
@@ -27,7 +32,8 @@ std::array<QuizQuestion, 3> light_questions(const Experiment& experiment, const 
 
 class LightQuiz {
  public:
-  explicit LightQuiz(unsigned seed) : random_(seed) {}
+  /// `score`: of earlier quizzes, to go on from.
+  explicit LightQuiz(unsigned seed, const QuizScore& score = {}) : random_(seed), score_(score) {}
 
   /// The next question of this light, or the first one of another light, for the experiment's camera and scene.
   void next(const Experiment& experiment, const Scene& scene);
@@ -41,8 +47,8 @@ class LightQuiz {
   int chosen() const { return chosen_; }  // -1: not yet
   bool was_right() const { return answered() && chosen_ == question().right; }
   int number() const { return asked_; }  // of the question
-  int right_answers() const { return right_; }
-  int answers() const { return answers_; }
+  const QuizScore& score() const { return score_; }
+  void reset_score() { score_ = {}; }
   bool is_last_of_light() const { return question_ + 1 == questions_.size(); }
 
  private:
@@ -50,7 +56,8 @@ class LightQuiz {
   LightSettings light_;
   std::array<QuizQuestion, 3> questions_;
   std::size_t question_ = 0;
-  int chosen_ = -1, asked_ = 0, right_ = 0, answers_ = 0;
+  int chosen_ = -1, asked_ = 0;
+  QuizScore score_;
 };
 
 }  // namespace psm

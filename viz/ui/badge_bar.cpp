@@ -95,6 +95,7 @@ bool draw_badge(UiContext& ui, const Badge& badge, ImVec2 at) {
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), em, text_at, text_color(), badge.text.c_str());
   ImGui::SetCursorScreenPos({at.x, y});
   const bool clicked = ImGui::InvisibleButton(badge.name.c_str(), {std::max(1.0f, end.x - at.x), height});
+  focus_ring();
   note_place(ui, badge.name);
   rest_tooltip(badge.help.empty() ? badge.text : badge.help);
   return clicked;

@@ -206,6 +206,22 @@ void Dialogs::settings_slider(UiContext& ui, const char* label, int Settings::*m
   if (!ImGui::IsItemActive()) settings.*member = pending_.*member;
 }
 
+/// The dividers, for the keyboard.
+void Dialogs::divider_sliders(UiContext& ui, LayoutSettings& layout) {
+  const auto part = [&](const char* label, double LayoutSettings::*member, double low, double high) {
+    ImGui::SetNextItemWidth(8.0f * em());
+    ImGui::SliderScalar(label, ImGuiDataType_Double, &(layout.*member), &low, &high, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+    note_place(ui, std::string("settings.") + label);
+  };
+  ImGui::TextUnformatted("widths and heights, as parts of the room");
+  part("lesson", &LayoutSettings::lesson, 0.2, 0.6);
+  ImGui::SameLine();
+  part("controls", &LayoutSettings::pane, 0.15, 0.6);
+  part("left views", &LayoutSettings::column, 0.1, 0.9);
+  ImGui::SameLine();
+  part("upper views", &LayoutSettings::row, 0.1, 0.9);
+}
+
 void Dialogs::settings_dialog(UiContext& ui, Settings& settings) {
   if (opens_) pending_ = settings;
   settings_slider(ui, "scale", &Settings::scale_percent, 75, 300, "%d %%", settings);
@@ -235,6 +251,7 @@ void Dialogs::settings_dialog(UiContext& ui, Settings& settings) {
       "Rays answer in the same frame. The card's depth (PSM 2002, section 6) is read back without waiting: it answers a "
       "frame or more later. The profile shows what each costs.");
   settings.points_from = PointsSource(source);
+  divider_sliders(ui, settings.layout);
   ImGui::Checkbox("the texel under the mouse shows in all views", &settings.hovering);
   note_place(ui, "settings.hovering");
   ImGui::Checkbox("reduced motion", &settings.reduced_motion);

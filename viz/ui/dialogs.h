@@ -42,6 +42,7 @@ class Dialogs {
   void help_dialog(UiContext& ui);
   void settings_slider(UiContext& ui, const char* label, int Settings::*member, int low, int high, const char* format,
                        Settings& settings);
+  void divider_sliders(UiContext& ui, LayoutSettings& layout);
   void settings_dialog(UiContext& ui, Settings& settings);
   void close_button(UiContext& ui);
 

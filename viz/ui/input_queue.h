@@ -17,7 +17,7 @@ namespace psm {
 namespace key {
 constexpr int escape = 256, enter = 257, tab = 258, backspace = 259, insert = 260, del = 261;
 constexpr int right = 262, left = 263, down = 264, up = 265, page_up = 266, page_down = 267, home = 268, end = 269;
-constexpr int f1 = 290, f3 = 292, f5 = 294, f11 = 300, f12 = 301, keypad_enter = 335;
+constexpr int f1 = 290, f3 = 292, f5 = 294, f6 = 295, f11 = 300, f12 = 301, keypad_enter = 335;
 constexpr int shift = 340, control = 341, alt = 342, super = 343;
 constexpr int right_shift = 344, right_control = 345, right_alt = 346, right_super = 347;
 }  // namespace key

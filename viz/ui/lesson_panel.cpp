@@ -66,9 +66,11 @@ std::vector<LessonCommand> LessonPanel::draw(UiContext& ui, const LessonSession&
             bottom = pane.max.y - (listed ? 0 : int(std::ceil(row + 1.5f * padding)));
   ui.places["lesson.pane"] = pane;
   child("lesson title", pane.min.y, top, still);
+  take_keyboard(ui, "lesson title");
   title_bar(c);
   ImGui::EndChild();
   child("lesson", top, bottom, 0);
+  take_keyboard(ui, "lesson");
   ui.places["lesson.text"] = {{pane.min.x, top}, {pane.max.x, bottom}};
   c.style.width = std::floor(ImGui::GetContentRegionAvail().x);
   if (!session.error().empty()) toned_words(warning_color(ui.theme), "▲ " + session.error());

@@ -128,6 +128,7 @@ bool light_dial(UiContext& ui, Experiment& e) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const Dial dial{{corner.x + 0.5f * size, corner.y + 0.5f * size}, 0.5f * size - float(4.0 * ui.scale)};
   ImGui::InvisibleButton("##dial", {size, size});
+  focus_ring();
   note_place(ui, "dial");
   const bool active = ImGui::IsItemActive();
   const ImVec2 mouse = ImGui::GetIO().MousePos, press = ImGui::GetIO().MouseClickedPos[0];

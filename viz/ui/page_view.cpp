@@ -107,6 +107,7 @@ std::string show_page(UiContext& ui, const TextPage& page, const std::string& na
     ImGui::PushID(int(i));
     if (ImGui::InvisibleButton("link", {float(link.max.x - link.min.x), float(link.max.y - link.min.y)})) clicked = link.target;
     ImGui::PopID();
+    focus_ring();
     note_place(ui, name + ".link." + std::to_string(i));
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     rest_tooltip(link.target.starts_with("https:") ? link.target + "\nClick: copies the address." : link.target);

@@ -2,6 +2,7 @@
 #include "ui/quiz_panel.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,8 @@ void wrapped(const std::string& words) {
 std::optional<int> choices(UiContext& ui, const LightQuiz& quiz) {
   std::optional<int> clicked;
   const QuizQuestion& question = quiz.question();
+  // Once answered, the keyboard goes on to what comes next.
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNavDefaultFocus, quiz.answered());
   for (int i = 0; i < int(question.choices.size()); ++i) {
     // A mark besides the colour.
     const bool right = quiz.answered() && i == question.right, wrong = quiz.answered() && i == quiz.chosen() && !right;
@@ -107,10 +110,12 @@ std::optional<int> choices(UiContext& ui, const LightQuiz& quiz) {
       const glm::vec3 tone = right ? accent_color(ui.theme) : warning_color(ui.theme);
       ImGui::PushStyleColor(ImGuiCol_Text, color(tone));
     }
-    if (ImGui::Button(text.c_str(), {ImGui::GetContentRegionAvail().x, 0.0f}) && !quiz.answered()) clicked = i;
+    const bool pressed = ImGui::Button(text.c_str(), {ImGui::GetContentRegionAvail().x, 0.0f});
+    if (pressed && !quiz.answered()) clicked = i;
     note_place(ui, "quiz.answer=" + std::to_string(i));
     if (right || wrong) ImGui::PopStyleColor();
   }
+  ImGui::PopItemFlag();
   return clicked;
 }
 
@@ -121,10 +126,11 @@ QuizClicks quiz_panel(UiContext& ui, const Rect& place, const LightQuiz& quiz) {
   if (place.empty()) return clicks;
   ImGui::SetCursorScreenPos({float(place.min.x), float(place.min.y)});
   ImGui::BeginChild("quiz", {float(place.size().x), float(place.size().y)}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  take_keyboard(ui, "quiz");
   // A child's own ground goes to its parent's list, under the picture.
   ImGui::GetWindowDrawList()->AddRectFilled({float(place.min.x), float(place.min.y)}, {float(place.max.x), float(place.max.y)},
                                             ImGui::GetColorU32(ImGuiCol_PopupBg));
-  ImGui::Text("Question %d   right: %d of %d", quiz.number(), quiz.right_answers(), quiz.answers());
+  ImGui::Text("Question %d   right: %d of %d", quiz.number(), quiz.score().right, quiz.score().answers);
   const float width = ImGui::GetContentRegionAvail().x, height = std::min(0.5f * width, 0.32f * float(place.size().y));
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   SideView(ui, {corner.x, corner.y}, {width, height}).draw(ui.model.experiment(), quiz.light(), quiz.answered());
@@ -143,6 +149,11 @@ QuizClicks quiz_panel(UiContext& ui, const Rect& place, const LightQuiz& quiz) {
   }
   clicks.close = ImGui::Button("Close");
   note_place(ui, "quiz.close");
+  if (quiz.score().answers > 0) {
+    ImGui::SameLine();
+    clicks.reset_score = ImGui::Button("Reset score");
+    note_place(ui, "quiz.reset");
+  }
   ImGui::EndChild();
   return clicks;
 }

@@ -12,6 +12,7 @@ namespace psm {
 struct QuizClicks {
   std::optional<int> answer;
   bool next = false, show = false, close = false;  // the next question; the light into the experiment; no quiz any more
+  bool reset_score = false;
 };
 
 /// Over this part of the explorer's picture.

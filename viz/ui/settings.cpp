@@ -44,6 +44,9 @@ void take(Settings& s, const std::string& name, const std::string& word) {
   if (name == "pane") take_number(word, s.layout.pane);
   if (name == "column") take_number(word, s.layout.column);
   if (name == "row") take_number(word, s.layout.row);
+  if (name == "quiz_right") take_int(word, s.quiz.right);
+  if (name == "quiz_answers") take_int(word, s.quiz.answers);
+  if (name == "start_card") s.start_card = word != "0";
   if (name == "pane_shown") s.layout.pane_shown = word != "0";
 }
 
@@ -56,6 +59,8 @@ Settings clamped(Settings s) {
   s.layout.lesson = std::clamp(s.layout.lesson, 0.2, 0.6);
   s.layout.column = std::clamp(s.layout.column, 0.1, 0.9);
   s.layout.row = std::clamp(s.layout.row, 0.1, 0.9);
+  s.quiz.answers = std::max(0, s.quiz.answers);
+  s.quiz.right = std::clamp(s.quiz.right, 0, s.quiz.answers);
   return s;
 }
 
@@ -89,7 +94,8 @@ bool write_settings(const Settings& s, const fs::path& file) {
       << (s.points_from == PointsSource::depth ? "depth" : "rays") << "\nreduced_motion " << int(s.reduced_motion)
       << "\nhovering " << int(s.hovering) << "\nmatrix_language " << name_of(s.matrix_language) << "\nclip_convention "
       << name_of(s.clip_convention) << "\nlesson " << s.layout.lesson << "\npane " << s.layout.pane << "\ncolumn "
-      << s.layout.column << "\nrow " << s.layout.row << "\npane_shown " << int(s.layout.pane_shown) << "\n";
+      << s.layout.column << "\nrow " << s.layout.row << "\npane_shown " << int(s.layout.pane_shown) << "\nquiz_right "
+      << s.quiz.right << "\nquiz_answers " << s.quiz.answers << "\nstart_card " << int(s.start_card) << "\n";
   return !write_file_atomically(file, out.str());
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "gl/renderer.h"
+#include "scene/light_quiz.h"
 #include "scene/matrix_text.h"
 #include "ui/points_source.h"
 
@@ -31,6 +32,8 @@ struct Settings {
   MatrixLanguage matrix_language = MatrixLanguage::glsl;
   ClipConvention clip_convention = ClipConvention::opengl;
   LayoutSettings layout;
+  QuizScore quiz;          // of all quizzes so far
+  bool start_card = true;  // nobody has closed it yet
   bool operator==(const Settings&) const = default;
 };
 

@@ -93,6 +93,7 @@ void tile_menu(UiContext& ui, ViewId id, const Rect& picture, const std::string&
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   if (ImGui::InvisibleButton("menu", {float(size.x), float(size.y)})) ImGui::OpenPopup("views");
+  focus_ring();
   note_place(ui, name);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();

@@ -6,12 +6,30 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace psm {
 
 void note_place(UiContext& ui, const std::string& name) {
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   ui.places[name] = {{int(min.x), int(min.y)}, {int(max.x), int(max.y)}};
+}
+
+void take_keyboard(UiContext& ui, const std::string& pane) {
+  if (!ui.keyboard) return;
+  ui.keyboard->panes.push_back(pane);
+  if (ui.keyboard->wanted != pane) return;
+  ui.keyboard->last = std::exchange(ui.keyboard->wanted, "");
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  ImGui::FocusWindow(g.CurrentWindow);
+  ImGui::NavInitWindow(g.CurrentWindow, true);
+  g.NavDisableHighlight = false;
+  g.NavDisableMouseHover = true;
+}
+
+void focus_ring() {
+  const ImGuiLastItemData& item = ImGui::GetCurrentContext()->LastItemData;
+  ImGui::RenderNavHighlight(item.Rect, item.ID);
 }
 
 bool is_typing() {

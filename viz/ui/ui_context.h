@@ -17,18 +17,31 @@ namespace psm {
 /// scripts find them here.
 using Places = std::map<std::string, Rect>;
 
+/// The panes that are on the screen, in order, and which of them is to take the keyboard. Key F6 goes from one to the next.
+struct KeyboardPane {
+  std::vector<std::string> panes;
+  std::string wanted, last;
+};
+
 struct UiContext {
   const Model& model;
   Theme theme;
   double scale;  // pixels per pixel at scale 1
   Places& places;
   const std::vector<std::filesystem::path>& experiments;  // that come with the program
+  KeyboardPane* keyboard = nullptr;
 };
 
 /// Notes the place of the widget that was submitted last.
 void note_place(UiContext& ui, const std::string& name);
 
+/// In a pane that has just begun: gives it the keyboard if that is wanted. The arrow keys then start at its first widget.
+void take_keyboard(UiContext& ui, const std::string& pane);
+
 constexpr float kTooltipDelay = 0.4f;  // seconds
+
+/// The ring around the widget that was submitted last where it has the keyboard: for those that ImGui draws nothing of.
+void focus_ring();
 
 /// A tooltip for the widget that was submitted last, once the mouse has rested on it.
 void rest_tooltip(const std::string& text);

@@ -91,10 +91,12 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   flags =
       presenting_ || drag_.selected ? flags & ~ImGuiConfigFlags_NavEnableKeyboard : flags | ImGuiConfigFlags_NavEnableKeyboard;
 
+  if (presenting_) ImGui::GetCurrentContext()->HoveredIdTimer = 0.0f;  // no tooltips in front of a class
   places_.clear();
   const double scale = look(size, display_scale).scale;
   const int splitter = std::max(2, int(std::lround(6.0 * scale)));
-  UiContext ui{model_, settings_.theme, scale, places_, experiments_};
+  UiContext ui{model_, settings_.theme, scale, places_, experiments_, &keyboard_};
+  keyboard_.panes.clear();
   Layout layout = lay_out(size, shown_layout(ui, size), model_.experiment().view, bar_height(size), splitter);
   const auto second = place_second(layout, model_.experiment().view, splitter);
   Frame f{size, scale, ImGui::GetTime(), layout, second, ui, model_.experiment(), "", false};
@@ -123,6 +125,7 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   pane_numbers(f);
   bar(f);
   ImGui::End();
+  start_card(f);
   dialogs(f);
   draw_black(size);
   end_frame(f);
@@ -179,6 +182,9 @@ void Workbench::quiz(Frame& f) {
   if (!quiz_) return;
   const QuizClicks clicks = quiz_panel(f.ui, quiz_place(f.layout.view(ViewId::explorer), f.scale), *quiz_);
   if (clicks.answer) quiz_->answer(*clicks.answer);
+  if (clicks.reset_score) quiz_->reset_score();
+  settings_.quiz = quiz_->score();
+  if (clicks.answer || clicks.next) keyboard_.wanted = "quiz";
   if (clicks.show) {
     Experiment shown = model_.experiment();
     shown.light = quiz_->light();
@@ -198,6 +204,7 @@ void Workbench::find_probe() {
 void Workbench::pane_fields(Frame& f) {
   if (f.layout.pane.empty()) return;
   begin_child("fields", fields_rect(f.layout.pane));
+  take_keyboard(f.ui, "fields");
   places_["pane.fields"] = fields_rect(f.layout.pane);
   control_fields(f.ui, light_, f.edited);
   keep_light_in_place(f.edited);
@@ -216,6 +223,7 @@ void Workbench::keep_light_in_place(Experiment& edited) const {
 void Workbench::pane_header(Frame& f) {
   if (f.layout.pane.empty()) return;
   begin_child("header", header_rect(f.layout.pane), ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  take_keyboard(f.ui, "header");
   control_header(f.ui, f.edited, requests_);
   ImGui::EndChild();
 }
@@ -322,7 +330,7 @@ void Workbench::end_frame(Frame& f) {
   if (!lesson_commands_.empty()) wake();
   next_wake_ = lessons_.next_look(f.now);
   const ImGuiContext& g = *ImGui::GetCurrentContext();
-  if (g.HoveredId != 0 && g.ActiveId == 0 && g.HoveredIdTimer < double(kTooltipDelay))
+  if (!presenting_ && g.HoveredId != 0 && g.ActiveId == 0 && g.HoveredIdTimer < double(kTooltipDelay))
     next_wake_ = std::min(next_wake_, double(kTooltipDelay) - g.HoveredIdTimer + 0.01);
   profile_.end_frame();
   settings_ = clamped(settings_);

@@ -34,6 +34,7 @@ struct WorkbenchOptions {
   std::filesystem::path settings;        // empty: neither read nor written
   std::filesystem::path pictures = ".";  // folder of saved pictures
   std::filesystem::path lessons;         // the shipped ones' folder
+  bool start_card = false;               // the first run says where to begin: nothing was asked for
   std::string lesson;                    // to begin with: a name or a folder, "/3" behind it for its third step; empty: none
   std::function<std::optional<InputError>(const std::filesystem::path&, const Image&)> write_picture;
   /// The ending says what is written. An OpenGL context is current.
@@ -180,6 +181,11 @@ class Workbench {
   void change_eye_overlay();
   void toggle_texel_grid();
   void toggle_quiz();
+  void move_split(double by);
+  void next_pane();
+  bool shows_start_card() const;
+  bool take_start_key(const KeyPress& press);
+  void start_card(Frame& f);
   void copy_curves();
   void pin_probe();
   void toggle_comparison();
@@ -221,6 +227,7 @@ class Workbench {
   Dialogs dialogs_;
   Requests requests_;
   Places places_;
+  KeyboardPane keyboard_;
   std::string message_;
   std::string typed_path_;  // in the Open dialog, until it has been opened
   std::filesystem::path last_picture_;

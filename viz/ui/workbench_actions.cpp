@@ -58,6 +58,7 @@ void Workbench::take_keys(const std::vector<KeyPress>& presses) {
       drag_.selected.reset();
       continue;
     }
+    if (take_start_key(press)) continue;
     if (take_presenting_key(press)) continue;
     if (!key_is_free(press)) continue;
     const bool moves_handle = drag_.selected && (press.key == key::left || press.key == key::right);
@@ -138,6 +139,12 @@ void Workbench::act(Action action) {
       return toggle_comparison();
     case Action::compare_layout:
       return change_compare_layout();
+    case Action::split_left:
+      return move_split(-0.02);
+    case Action::split_right:
+      return move_split(+0.02);
+    case Action::next_pane:
+      return next_pane();
     case Action::toggle_quiz:
       return toggle_quiz();
     case Action::copy_curves:
@@ -238,8 +245,9 @@ void Workbench::toggle_quiz() {
   const bool shown = view.maximised ? *view.maximised == ViewId::explorer
                                     : std::find(view.tiles.begin(), view.tiles.end(), ViewId::explorer) != view.tiles.end();
   if (!shown) maximise(ViewId::explorer);
-  quiz_.emplace(std::random_device()());
+  quiz_.emplace(std::random_device()(), settings_.quiz);
   quiz_->next(model_.experiment(), model_.scene());
+  keyboard_.wanted = "quiz";
 }
 
 void Workbench::copy_curves() {
@@ -275,6 +283,23 @@ void Workbench::change_compare_layout() {
   commit_now(edited);
   if (!edited.view.compare)
     message_ = std::string("A and B will be ") + (split ? "side by side" : "split by a line") + " (key B)";
+}
+
+void Workbench::move_split(double by) {
+  Experiment edited = model_.experiment();
+  edited.view.split = std::clamp(edited.view.split + by, 0.0, 1.0);
+  if (edited.view.compare)
+    commit_now(edited);
+  else
+    message_ = "the line divides A and B (key B)";
+}
+
+/// The keyboard goes to the pane after the one that had it last.
+void Workbench::next_pane() {
+  const auto& panes = keyboard_.panes;
+  if (panes.empty()) return;
+  const auto now = std::find(panes.begin(), panes.end(), keyboard_.last);
+  keyboard_.wanted = now == panes.end() || now + 1 == panes.end() ? panes.front() : *(now + 1);
 }
 
 void Workbench::open(const std::string& source) {

@@ -18,6 +18,14 @@ bool reveals(const LessonCommand& command) {
          command.kind == Kind::show_answer || command.kind == Kind::solve;
 }
 
+/// ImGui would now begin to use the arrow keys.
+void forget_navigation() {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  g.NavDisableHighlight = true;
+  g.NavId = 0;
+  g.NavInitRequest = false;
+}
+
 }  // namespace
 
 void Workbench::lesson_pane(Frame& f) {
@@ -78,18 +86,21 @@ bool Workbench::step_lesson(int by) {
   return true;
 }
 
-/// Arrows and page keys step through a lesson, the arrows while nobody uses them for a widget; ImGui, which would now begin to
-/// use them, is told to forget them.
+/// Arrows and page keys step through a lesson, the arrows while nobody uses them for a widget; with Ctrl they are the
+/// workbench's. ImGui is told to forget them.
 bool Workbench::key_is_free(const KeyPress& press) {
   const bool arrow = press.key == key::left || press.key == key::right;
   const bool page = press.key == key::page_down || press.key == key::page_up;
   if ((!arrow && !page) || drag_.selected) return true;
+  if (arrow && press.modifiers.control) {
+    ImGui::NavMoveRequestCancel();
+    if (!ImGui::GetIO().NavVisible) forget_navigation();
+    return !ImGui::IsAnyItemActive();
+  }
   if (arrow && !presenting_ && (ImGui::GetIO().NavVisible || ImGui::IsAnyItemActive())) return false;
   if (!lessons_.run() || !settings_.layout.lesson_shown) return true;
   ImGui::NavMoveRequestCancel();
-  ImGui::GetCurrentContext()->NavDisableHighlight = true;
-  ImGui::GetCurrentContext()->NavId = 0;
-  ImGui::GetCurrentContext()->NavInitRequest = false;
+  forget_navigation();
   return true;
 }
 
