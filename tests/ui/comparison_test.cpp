@@ -104,6 +104,19 @@ TEST(Comparison, SideBySideBothHalvesTurnTheSameCamera) {
   EXPECT_NE(bench.experiment().camera, before);
 }
 
+TEST(Comparison, TheNamesStayOnTheirSidesOfTheLineInFrontOfAClass) {
+  for (const char* split : {"0.2", "0.5", "0.8"}) {
+    Bench bench("ground", {"view.compare=minimax_frustum", "view.tiles=eye,cube,world,body", std::string("view.split=") + split});
+    bench.key(key::f11);
+    bench.key('4');
+    const Rect eye = bench.work_places().at("view.eye");
+    const double line = eye.min.x + bench.experiment().view.split * eye.size().x;
+    const Rect a = bench.work_places().at("compare.A"), b = bench.work_places().at("compare.B");
+    EXPECT_TRUE(a.min.x >= eye.min.x && a.max.x <= line) << split;
+    EXPECT_TRUE(b.min.x >= line && b.max.x <= eye.max.x) << split;
+  }
+}
+
 TEST(Comparison, TwoMapsNeverShareAPicture) {
   ViewSettings view;
   EXPECT_TRUE(is_split(ViewId::eye, view));

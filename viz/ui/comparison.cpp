@@ -13,6 +13,7 @@ namespace psm {
 namespace {
 
 constexpr double kNameHeight = 18.0;  // of A's and B's names, pixels at scale 1
+constexpr float kLeastName = 0.4f;    // of that
 
 int line_x(const Rect& picture, double split) { return picture.min.x + int(std::lround(split * picture.size().x)); }
 
@@ -90,21 +91,31 @@ std::string comparison_name(char letter, const Analysis& analysis) {
 
 namespace {
 
-/// Its top left is `at`, or its top right; kept within the rectangle. Goes on in the next line where its side has no room for
-/// all.
+float widest_word(const std::string& text, float px) {
+  float widest = 0.0f;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    widest = std::max(widest, ImGui::GetFont()->CalcTextSizeA(px, 1e9f, 0.0f, text.substr(at, end - at).c_str()).x);
+    at = end + 1;
+  }
+  return widest;
+}
+
+/// Its top left is `at`, or its top right. Stays on its side of the line: in more lines, or smaller, or, where hardly anything is
+/// left of the side, not at all.
 void name_plate(UiContext& ui, const std::string& text, ImVec2 at, bool right_aligned, const Rect& within) {
-  const float px = std::min(ImGui::GetFontSize(), float(std::round(kNameHeight * ui.scale))), pad = std::floor(0.3f * px);
-  const float room = right_aligned ? at.x - float(within.min.x) : float(within.max.x) - at.x;
-  const float wrap = std::max(room - 3.0f * pad, std::min(6.0f * px, float(within.size().x) - 2.0f * pad));
+  const float full = std::min(ImGui::GetFontSize(), float(std::round(kNameHeight * ui.scale))), pad = std::floor(0.3f * full);
+  const float wrap = (right_aligned ? at.x - float(within.min.x) : float(within.max.x) - at.x) - 3.0f * pad;
+  const float px = full * std::min(1.0f, 0.98f * wrap / widest_word(text, full));
+  if (px < kLeastName * full) return;
   const ImVec2 size = ImGui::GetFont()->CalcTextSizeA(px, 1e9f, wrap, text.c_str());
-  float x = right_aligned ? at.x - size.x - 2.0f * pad : at.x;
-  x = std::max(std::min(x, float(within.max.x) - size.x - 2.0f * pad), float(within.min.x));
+  const float x = right_aligned ? at.x - size.x - 2.0f * pad : at.x;
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled({x, at.y}, {x + size.x + 2.0f * pad, at.y + size.y + 2.0f * pad}, ImGui::GetColorU32(ImGuiCol_PopupBg),
                       pad);
   list->AddText(ImGui::GetFont(), px, {x + pad, at.y + pad}, text_color(), text.c_str(), nullptr, wrap);
-  ui.places[std::string("compare.") + text.front()] = {{int(x), int(at.y)},
-                                                       {int(x + size.x + 2.0f * pad), int(at.y + size.y + 2.0f * pad)}};
+  ui.places["compare." + std::string(1, text.front())] = {{int(x), int(at.y)},
+                                                          {int(x + size.x + 2.0f * pad), int(at.y + size.y + 2.0f * pad)}};
 }
 
 /// A line with a grip in the middle, dark between light edges or the reverse: it stands out from any picture.
