@@ -58,7 +58,7 @@ Result<LessonPicture> subject_of(const RenderArguments& arguments) {
 
 Result<RenderRequest> parse_request(const RenderArguments& arguments, const LessonPicture& subject) {
   RenderRequest request;
-  request.highlighted = subject.highlighted;
+  request.emphasis = subject.emphasis;
   const auto views = arguments.views ? parse_views(*arguments.views) : subject.views;
   if (!views) return views.error();
   request.views = *views;

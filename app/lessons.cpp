@@ -108,11 +108,9 @@ Result<LessonPicture> lesson_picture(const std::string& argument, const std::vec
   auto loaded = load_members(members, "--lesson " + quotable(argument), lesson.folder);
   if (!loaded) return loaded.error();
   const Step& step = lesson.steps[index];
-  LessonPicture picture{std::move(*loaded), {}, {}, step.animation};
+  LessonPicture picture{std::move(*loaded), {}, emphasis_of(step), step.animation};
   for (const std::string& name : step.views)
     if (const auto view = view_from_name(name)) picture.views.push_back(*view);
-  for (const std::string& name : step.highlight)
-    if (const auto role = role_from_name(name)) picture.highlighted.push_back(*role);
   return picture;
 }
 

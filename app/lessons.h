@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "draw/draw_list.h"
+#include "draw/emphasis.h"
 #include "lesson/check.h"
 
 namespace psm {
@@ -21,7 +21,7 @@ int check_lessons(const std::vector<std::string>& files);
 struct LessonPicture {
   LoadedExperiment loaded;
   std::vector<ViewId> views;
-  std::vector<Role> highlighted;
+  Emphasis emphasis;
   std::optional<Animation> animation;
 };
 /// `argument`: a lesson as above, "/3" behind it for its third step. `overrides`, as of --set, go over its experiment. Errors

@@ -41,7 +41,7 @@ Sheet sheet_of(const LoadedExperiment& loaded, const RenderRequest& request, con
   sheet.background = glm::vec3(request.theme == Theme::dark ? 0.12f : 0.86f);
   sheet.title = loaded.scene.id;
   sheet.status_height = layout.status_height;
-  sheet.highlighted = request.highlighted;
+  sheet.emphasis = request.emphasis;
   const auto shared = std::make_shared<const LoadedExperiment>(loaded);
   if (loaded.experiment.view.compare) {
     add_compared_panels(sheet, shared, request.views, layout.places);

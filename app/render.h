@@ -17,7 +17,7 @@ struct RenderRequest {
   double scale = 1.0;  // of line widths and type
   Theme theme = Theme::light;
   bool transparent = false;
-  std::vector<Role> highlighted = {};
+  Emphasis emphasis = {};
 };
 
 constexpr int kLargestSide = 16384;

@@ -88,7 +88,7 @@ struct SheetPainter::State {
   ViewPicture describe(const SheetPanel& panel, const Sheet& sheet) {
     prepare(panel.loaded);
     ViewPicture picture = describe_view(panel.view, analysis, loaded->scene, panel.size, sheet.scale);
-    emphasise(picture.list, sheet.highlighted);
+    emphasise(picture.list, sheet.emphasis);
     if (panel.view == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay))
       show_overlay(picture, trace_overlay(renderer, *tracer, analysis, kAllPixels));
     if (probe) append(picture.list, probe_list(*probe, panel.view, analysis, panel.size));

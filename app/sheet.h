@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/emphasis.h"
 #include "figure/page.h"
 #include "gl/renderer.h"
 #include "scene/experiment_file.h"
@@ -31,8 +32,8 @@ struct Sheet {
   bool supersampled = false;   // four pixels are drawn for each
   glm::vec3 background{1.0f};  // between panels
   std::vector<SheetPanel> panels;
-  std::vector<Role> highlighted = {};  // drawn stronger than the rest
-  int status_height = 0;               // of a line at the bottom about the last panel's light; 0: none
+  Emphasis emphasis = {};
+  int status_height = 0;  // of a line at the bottom about the last panel's light; 0: none
   std::string title;
 };
 

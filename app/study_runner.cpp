@@ -176,7 +176,7 @@ double StudyRunner::State::uniform_error(const StudyRun& run, int resolution) {
   experiment.shadow.resolution = resolution;
   const Analysis analysis = analyzed(run, experiment);
   renderer.draw_shadow_map(analysis);
-  const double error = error_of(read_map(analysis), texel_sizes(condition.image, condition.truth, analysis)).fraction();
+  const double error = error_of(read_map(analysis), texel_sizes(condition.image, analysis)).fraction();
   return condition.uniform_error[resolution] = error;
 }
 
@@ -221,7 +221,7 @@ StudyRow StudyRunner::measure(std::size_t index) {
   const double side = s.renderer.map_resolution();
   row.texels = side * side * (s.renderer.map_triangles() > 0 ? maps_of(analysis) : 0);
   if (side < run.resolution) row.notes += (row.notes.empty() ? "" : " ") + std::string("resolution_reduced");
-  const std::vector<float> m = texel_sizes(s.condition.image, s.condition.truth, analysis);
+  const std::vector<float> m = texel_sizes(s.condition.image, analysis);
   set_texels(row, texel_statistics(m));
   const MapReading map = s.read_map(analysis);
   set_errors(row, s.error_of(map, m));

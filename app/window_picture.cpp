@@ -13,7 +13,7 @@ std::optional<InputError> write_shown_views(const std::filesystem::path& file, c
   if (plays && !shown.animation)
     return flag_error("name", file.string(), "a film in a lesson's step that has an animation; .png, .svg or .pdf everywhere");
   if (auto error = check_picture_name(file.string(), plays, "name")) return error;
-  RenderRequest request{shown.views, shown.size, shown.scale, shown.theme, false, shown.highlighted};
+  RenderRequest request{shown.views, shown.size, shown.scale, shown.theme, false, shown.emphasis};
   const Sheet sheet = sheet_of(shown.loaded, request, {shown.places, 0});
   SheetPainter painter;
   return write_pictures(painter, sheet, plays ? std::optional(frames_of(*shown.animation)) : std::nullopt, file);

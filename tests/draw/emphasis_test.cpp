@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
-
 #include "draw/emphasis.h"
+
+#include <gtest/gtest.h>
 
 namespace psm {
 namespace {
@@ -22,7 +22,7 @@ DrawList two_roles() {
 TEST(Emphasis, DrawsWhatIsNamedStrongerAndTheRestFainter) {
   const DrawList before = two_roles();
   DrawList list = before;
-  emphasise(list, {Role::light});
+  emphasise(list, {{Role::light}, {}});
   EXPECT_GT(list.lines[0].width, before.lines[0].width);
   EXPECT_EQ(list.lines[0].fade_a, 1.0);
   EXPECT_GT(list.fills[0].alpha, before.fills[0].alpha);
@@ -30,6 +30,14 @@ TEST(Emphasis, DrawsWhatIsNamedStrongerAndTheRestFainter) {
   EXPECT_LT(list.lines[1].fade_b, 0.5);
   EXPECT_LT(list.fills[1].alpha, before.fills[1].alpha);
   EXPECT_EQ(list.lines[2].fade_a, 1.0) << "axes and cube have no role to compete";
+}
+
+TEST(Emphasis, LeavesOutWhatIsHidden) {
+  DrawList list = two_roles();
+  emphasise(list, {{}, {Role::light}});
+  ASSERT_EQ(list.lines.size(), 2u);
+  EXPECT_EQ(list.lines[0].role, Role::frustum);
+  EXPECT_EQ(list.lines[0].fade_a, 1.0) << "nothing is stressed";
 }
 
 TEST(Emphasis, OfNothingChangesNothing) {

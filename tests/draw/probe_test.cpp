@@ -136,7 +136,7 @@ TEST(ProbeList, ShowsTheTexelInEveryView) {
       EXPECT_TRUE(says(list, id == ViewId::map ? "texel " : "m = ")) << name_of(id);
     }
     const DrawList world = probe_list(*probe, ViewId::world, a, {800, 600});
-    for (const char* text : {"r_s = ", "r_i = ", "α = ", "β = ", "occluder"}) EXPECT_TRUE(says(world, text)) << text;
+    for (const char* text : {"rₛ = ", "rᵢ = ", "α = ", "β = ", "occluder"}) EXPECT_TRUE(says(world, text)) << text;
   }
 }
 

@@ -135,6 +135,17 @@ TEST_P(Lists, lines_on_a_surface_are_seen) {
   EXPECT_GT(least, 1.7);  // solid everywhere: neither fought nor dashed
 }
 
+TEST_P(Lists, a_view_that_grows_is_drawn_whole) {
+  DrawList list;
+  list.lines = {{{-1, 0, 0, 1}, {1, 0, 0, 1}, Role::text, 4.0}};
+  draw_list(list, {60, 40});
+  const Image grown = draw_list(list, {240, 80});
+  for (const int x : {10, 100, 230}) {
+    EXPECT_EQ(pixel(grown, x, 5), glm::ivec3(255)) << x;
+    EXPECT_LT(pixel(grown, x, 40).g, 80) << x;
+  }
+}
+
 TEST_P(Lists, fills_blend) {
   DrawList list;
   list.fills = {{{{-1, -1, 0, 1}, {1, -1, 0, 1}, {1, 1, 0, 1}, {-1, 1, 0, 1}}, Role::frustum, 0.25}};

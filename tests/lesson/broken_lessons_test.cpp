@@ -41,7 +41,7 @@ TEST(ABrokenLessonJson, NamesItsLineAndWhatIsAllowed) {
        "lesson.json:7: step 1: light.cone_deg: has no meaning for this step's directional light; allowed: a control that has"},
       {"\"highlight\": [\"light\"]", "\"highlight\": [\"lamp\"]",
        "lesson.json:13: steps.0.highlight.0: \"lamp\" is not allowed; allowed: frustum, light, caster_body, receivers_body, "
-       "vanishing_plane, map_window, infinity, texel_grid"},
+       "vanishing_plane, map_window, infinity, texel_grid, scene_bounds"},
       {"\"answer\": 0", "\"answer\": 2",
        "lesson.json:19: steps.0.questions.0.answer: 2 is not allowed; allowed: a number in [0, 1]"},
       {"\"answer\": 0", "\"answer\": 0.5",

@@ -39,7 +39,8 @@ TypesetBox formula(const std::string& tex, bool display = false) {
   const auto parsed = parse_formula(tex);
   EXPECT_TRUE(parsed);
   TypesetBox line;
-  for (const TypesetBox& box : formula_boxes(*parsed, kSize, display, Ink::text, metrics())) line.place(box, {line.width, 0.0});
+  for (const FormulaPiece& piece : formula_pieces(*parsed, kSize, display, Ink::text, metrics()))
+    line.place(piece.box, {line.width, 0.0});
   return line;
 }
 
@@ -143,14 +144,31 @@ TEST(AFormula, GrowsItsFencesWithTheirContent) {
 TEST(AFormula, BreaksAtRelationsOnly) {
   const auto parsed = parse_formula("a + b = \\frac{c = d}{e} \\le (f = g)");
   ASSERT_TRUE(parsed);
-  const auto boxes = formula_boxes(*parsed, kSize, false, Ink::text, metrics());
-  ASSERT_EQ(boxes.size(), 4u);  // each of = <= = stands between two
-  EXPECT_EQ(boxes[0].runs.back().text, "=");
-  EXPECT_EQ(boxes[1].runs.back().text, "≤");
+  const auto pieces = formula_pieces(*parsed, kSize, false, Ink::text, metrics());
+  ASSERT_EQ(pieces.size(), 4u);  // each of = <= = stands between two
+  EXPECT_EQ(pieces[0].box.runs.back().text, "=");
+  EXPECT_EQ(pieces[1].box.runs.back().text, "≤");
   const TextPage page = set("$a + b + c + d = e + f + g + h$", 120);
   double first_line = page.ink.runs.front().baseline.y;
   EXPECT_EQ(run_of(page.ink, "=").baseline.y, first_line);
   EXPECT_GT(run_of(page.ink, "e").baseline.y, first_line);
+}
+
+TEST(AFormula, SetsPrimesAtFullSizeOnItsBaseline) {
+  const TypesetBox box = formula("x'_v + 1");
+  EXPECT_EQ(run_of(box, "′").type.size, run_of(box, "x").type.size);
+  EXPECT_EQ(run_of(box, "′").baseline.y, run_of(box, "x").baseline.y);
+  EXPECT_GT(run_of(box, "v").baseline.y, run_of(box, "x").baseline.y);
+}
+
+TEST(ADisplayedFormula, BreaksBetweenStatementsFirst) {
+  const std::string two = "$$a = b + c \\quad d = e$$";
+  const auto line_of = [&](const TextPage& page, const char* text) { return run_of(page.ink, text).baseline.y; };
+  const TextPage wide = set(two, 400), narrow = set(two, 100);
+  EXPECT_EQ(line_of(wide, "d"), line_of(wide, "a"));
+  EXPECT_EQ(line_of(narrow, "c"), line_of(narrow, "a"));
+  EXPECT_EQ(line_of(narrow, "e"), line_of(narrow, "d"));
+  EXPECT_GT(line_of(narrow, "d"), line_of(narrow, "a"));
 }
 
 TEST(ADisplayedFormula, StandsInTheMiddleOfALineOfItsOwn) {

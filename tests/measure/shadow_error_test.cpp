@@ -161,7 +161,7 @@ double p95(Technique technique, double theta_deg) {
   EXPECT_EQ(std::count(truth.begin(), truth.end(), Lit::dark), 0);
   const auto lit = std::count(truth.begin(), truth.end(), Lit::lit);
   EXPECT_NEAR(double(lit), 112000, 500);
-  return texel_statistics(texel_sizes(image, truth, analysis))->m_p95;
+  return texel_statistics(texel_sizes(image, analysis))->m_p95;
 }
 
 struct TableRow {

@@ -16,7 +16,7 @@ constexpr const char* kJson = R"({
   "psmlab_lesson": 1, "title": "A small lesson", "summary": "For the test.", "base": {"scene": {"source": "ground"}},
   "steps": [
     {"heading": "Ahead", "experiment": {"light": {"type": "directional", "to_light": [0, 1, -0.5]}}, "views": ["world", "cube"],
-     "controls": ["light.theta_deg", "shadow.resolution"], "highlight": ["light"],
+     "controls": ["light.theta_deg", "shadow.resolution"], "highlight": ["light"], "hide": ["vanishing_plane"],
      "questions": [{"kind": "choice", "prompt": "Which?", "choices": ["one", "two"], "answer": 1, "cover": ["cube"],
                     "why": "So.", "reveal": {"light": {"to_light": [0, 1, 0]}}}]},
     {"heading": "Behind", "continues": true, "views": ["world"],
@@ -53,6 +53,17 @@ class LessonPanelTest : public ::testing::Test {
   std::unique_ptr<Bench> bench_;
 };
 
+TEST_F(LessonPanelTest, AStepHidesWhatItNames) {
+  const auto plane_shows = [&] {
+    const DrawList& list = bench_->work().images().picture(ViewId::world).list;
+    return std::any_of(list.lines.begin(), list.lines.end(), [](const DrawLine& l) { return l.role == Role::vanishing_plane; });
+  };
+  open();
+  EXPECT_FALSE(plane_shows());
+  click("lesson.next");
+  EXPECT_TRUE(plane_shows());
+}
+
 TEST_F(LessonPanelTest, OpensFromTheListAndGivesTheStudentsExperimentBack) {
   const Experiment own = bench_->experiment();
   open();
@@ -66,7 +77,7 @@ TEST_F(LessonPanelTest, OpensFromTheListAndGivesTheStudentsExperimentBack) {
   EXPECT_FALSE(bench_->work().lessons().run());
   EXPECT_TRUE(bench_->on_screen("pane.fields"));
   bench_->key('Z', {true, false, false});
-  EXPECT_EQ(bench_->experiment().scene.source, "ground") << "leaving can be undone like any edit";
+  EXPECT_EQ(bench_->experiment(), own) << "undo goes on in the student's own history";
 }
 
 TEST_F(LessonPanelTest, StepsByButtonsAndKeysAndKeepsEachStepsExperiment) {

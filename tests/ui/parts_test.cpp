@@ -91,6 +91,16 @@ TEST(Layout, TilesFillTheWindowWithoutOverlap) {
     }
 }
 
+TEST(Layout, TwoTilesStandAsMakesThemLarger) {
+  const ViewSettings two = with_tiles({ViewId::world, ViewId::eye});
+  const Layout wide = lay_out({1920, 700}, LayoutSettings{}, two, 31, 6),
+               square = lay_out({1024, 800}, LayoutSettings{}, two, 31, 6);
+  EXPECT_EQ(wide.view(ViewId::world).min.y, wide.view(ViewId::eye).min.y);
+  EXPECT_TRUE(wide.row_splitter.empty());
+  EXPECT_EQ(square.view(ViewId::world).min.x, square.view(ViewId::eye).min.x);
+  EXPECT_TRUE(square.column_splitter.empty());
+}
+
 TEST(Layout, AMaximisedViewHasThePlaceOfAllTiles) {
   ViewSettings view = with_tiles({ViewId::world, ViewId::eye});
   view.maximised = ViewId::body;

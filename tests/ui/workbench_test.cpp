@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "harness.h"
+#include "measure/texel_analysis.h"
 
 namespace psm::test {
 namespace {
@@ -69,6 +70,17 @@ TEST(Workbench, IdleDrawsNothing) {
   EXPECT_GT(bench.work().frames(), frames);
   EXPECT_EQ(bench.work().views_drawn(), views);
   EXPECT_EQ(bench.work().model().analysis_revision(), analyses);
+}
+
+TEST(Workbench, AtRestTheTexelsOfAllPixelsAreCounted) {
+  Bench bench("ground", {"view.eye_overlay=texel_size"});
+  bench.settle();
+  const Model& model = bench.work().model();
+  ASSERT_TRUE(model.texels_counted());
+  const Analysis whole = analyze_with_texels(model.experiment(), model.scene());
+  EXPECT_EQ(model.analysis().texels, whole.texels);
+  const auto& legend = bench.work().images().analysis().texels;
+  EXPECT_EQ(legend, whole.texels) << "the legend shows what the numbers show";
 }
 
 TEST(Workbench, OnlyTheViewThatTurnsIsDrawnAgain) {

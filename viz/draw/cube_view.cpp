@@ -165,7 +165,7 @@ class CubeView {
     const double z_in_cube = infinity_depth(analysis_.experiment.camera, analysis_.camera_shift);
     const glm::dvec4 middle = shown({0.0, 0.0, z_in_cube});
     const double z = middle.z / middle.w;
-    if (!(middle.w > 0.0 && z < body_limit)) return;
+    if (!(middle.w > 0.0 && z < clear_limit)) return;
     const std::vector<glm::dvec3> corners{
         {-patch_half, -patch_half, z}, {patch_half, -patch_half, z}, {patch_half, patch_half, z}, {-patch_half, patch_half, z}};
     std::vector<glm::dvec4> polygon;

@@ -5,7 +5,9 @@
 
 namespace psm {
 
-void emphasise(DrawList& list, const std::vector<Role>& strong) {
+void emphasise(DrawList& list, const Emphasis& emphasis) {
+  for (const Role role : emphasis.hidden) remove(list, role);
+  const std::vector<Role>& strong = emphasis.strong;
   if (strong.empty()) return;
   const auto faint = [&](Role role) {
     return role != Role::neutral && role != Role::text && std::find(strong.begin(), strong.end(), role) == strong.end();

@@ -91,9 +91,9 @@ std::vector<std::pair<std::string, std::string>> probe_numbers(const Probe& prob
   const auto degrees = [](double radians) { return short_number(glm::degrees(radians)) + "°"; };
   std::vector<std::pair<std::string, std::string>> out;
   out.emplace_back("texel", probe.inside_map ? std::to_string(probe.texel.x) + ", " + std::to_string(probe.texel.y) : "outside");
-  out.emplace_back("r_s", std::isinf(probe.r_s) ? "∞" : short_number(probe.r_s));
-  out.emplace_back("r_i", short_number(probe.r_i));
-  out.emplace_back("d_s r_s", short_number(probe.beam));
+  out.emplace_back("rₛ", short_number(probe.r_s));
+  out.emplace_back("rᵢ", short_number(probe.r_i));
+  out.emplace_back("dₛ rₛ", short_number(probe.beam));
   out.emplace_back("α", degrees(probe.alpha));
   out.emplace_back("β", degrees(probe.beta));
   out.emplace_back("d, formula", probe.lit_side ? short_number(probe.d) + " px" : "unlit side");

@@ -20,9 +20,7 @@ std::string size_text(const Probe& probe) {
   return "m = " + short_number(probe.size.m) + " px, d = " + short_number(probe.d) + " px";
 }
 
-std::string distance_text(const char* name, double distance) {
-  return std::string(name) + " = " + (std::isinf(distance) ? "∞" : short_number(distance));
-}
+std::string distance_text(const char* name, double distance) { return std::string(name) + " = " + short_number(distance); }
 
 glm::dvec3 to_light_at(const Probe& probe, const Analysis& a) {
   return safe_normalize(glm::dvec3(a.light) - a.light.w * probe.receiver.position);
@@ -81,10 +79,10 @@ class WorldProbe {
       sketch_.point(first, Role::light, 4.5);
       sketch_.label(first, "occluder", Role::light, 14);
     }
-    ray_label(light_end_, distance_text("r_s", probe_.r_s), Role::light);
+    ray_label(light_end_, distance_text("rₛ", probe_.r_s), Role::light);
     if (!probe_.seen) return;
     sketch_.line(p_, eye_, kViewRay);
-    ray_label(eye_, distance_text("r_i", probe_.r_i), Role::frustum);
+    ray_label(eye_, distance_text("rᵢ", probe_.r_i), Role::frustum);
   }
 
   void ray_label(const glm::dvec3& end, const std::string& text, Role role) {

@@ -129,7 +129,7 @@ void draw_lamp(Sketch& sketch, const Viewpoint& view, const glm::dvec3& p, int r
 /// Up to `count` points, well apart, where light rays leave the body: where drawn rays end. The first ray is the centroid's.
 std::vector<glm::dvec3> ray_targets(const ConvexBody& body, const glm::dvec4& light, int count);
 
-/// "%.*g", without a locale's comma.
+/// "%.*g", without a locale's comma, and whole below ten million: 14010, not 1.401e+04.
 std::string short_number(double value, int digits = 3);
 
 }  // namespace psm

@@ -112,11 +112,14 @@ std::vector<glm::dvec3> ray_targets(const ConvexBody& body, const glm::dvec4& li
 }
 
 std::string short_number(double value, int digits) {
-  if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+  if (std::isinf(value)) return value > 0.0 ? "∞" : "-∞";
   if (std::isnan(value)) return "none";
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  out.precision(digits);
+  const double size = std::abs(value);
+  const bool whole = size >= std::pow(10.0, digits) - 0.5 && size < 1e7;
+  if (whole) out << std::fixed;
+  out.precision(whole ? 0 : digits);
   out << (value == 0.0 ? 0.0 : value);
   return out.str();
 }

@@ -26,7 +26,8 @@ enum class ScenePicture {
 constexpr int kStrongLines = 8;
 
 /// One view, ready to draw. The world list has one DrawPoint of role light (the light's handle; a sun stands at the picture's
-/// edge) and one of role frustum (the eye). Corner [-1, 1]^2 of clip space is the whole picture.
+/// edge), one of role frustum (the eye), and one of role vanishing_plane where that shows. Corner [-1, 1]^2 of clip space is the
+/// whole picture.
 struct ViewPicture {
   ViewId id = ViewId::world;
   std::string title;  // "World", "Unit cube", "Shadow map 1024 x 1024", "Eye"
@@ -47,6 +48,9 @@ struct ViewPicture {
 
 /// Pure. `size` in pixels: its aspect decides the letterbox and the fit. `scale`: of type, for which plots leave room.
 ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene& scene, glm::ivec2 size, double scale = 1.0);
+
+/// The plane that the world view shows: the one in use, or technique custom's own where that could not be used.
+std::optional<glm::dvec4> shown_vanishing_plane(const Analysis& analysis);
 
 /// Where an orbit looks from: the camera's view matrix and the perspective of a view of this aspect. `extent_min`, `extent_max`:
 /// the box that distance 0 fits. With distance 0 and target 0 (both unset) it turns around the middle of that box; who then zooms

@@ -179,10 +179,11 @@ class WorldView {
     sketch_.label(eye, "eye, shifted", Role::frustum, 9);
   }
 
-  /// A grid on the plane c = 0 beside the scene; nothing where the plane is far away or at infinity.
+  /// A grid on the plane beside the scene; nothing where the plane is far away or at infinity.
   void vanishing_plane() {
-    if (!analysis_.vanishing_plane) return;
-    const glm::dvec4 plane = *analysis_.vanishing_plane;
+    const auto shown = shown_vanishing_plane(analysis_);
+    if (!shown) return;
+    const glm::dvec4 plane = *shown;
     const double norm = glm::length(glm::dvec3(plane));
     const glm::dvec3 base = lit_body().empty() ? extent_.center() : lit_body().centroid();
     const double distance = glm::dot(plane, at(base)) / norm;
@@ -207,7 +208,10 @@ class WorldView {
       sketch_.line(center + t * u - v, center + t * u + v, pen);
       sketch_.line(center - u + t * v, center + u + t * v, pen);
     }
-    sketch_.label(view_.furthest(corners, {0.0, 1.0}), "vanishing plane c = 0", Role::vanishing_plane, 7);
+    sketch_.point(center, Role::vanishing_plane, 4.5);
+    const bool used = shown_vanishing_plane(analysis_) == analysis_.vanishing_plane;
+    sketch_.label(view_.furthest(corners, {0.0, 1.0}), used ? "vanishing plane c = 0" : "vanishing plane: not usable here",
+                  Role::vanishing_plane, 7);
   }
 
   /// A lamp stands where it is, unless that is too far away to be shown; then, like a sun, at the picture's edge.
@@ -287,6 +291,12 @@ class WorldView {
 };
 
 }  // namespace
+
+std::optional<glm::dvec4> shown_vanishing_plane(const Analysis& a) {
+  const ShadowSettings& shadow = a.experiment.shadow;
+  const bool refused = shadow.technique == Technique::custom && a.technique_used != Technique::custom;
+  return refused && shadow.plane ? shadow.plane : a.vanishing_plane;
+}
 
 ViewPicture describe_world(const Analysis& analysis, glm::ivec2 size) { return WorldView(analysis, aspect_of(size)).picture(); }
 

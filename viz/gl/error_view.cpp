@@ -38,7 +38,7 @@ ErrorView compare_with_truth(Renderer& renderer, const RayTracer& tracer, const 
   const std::vector<float> fractions = trace_fractions(tracer, seen, x);
   const std::vector<Lit> truth = lit_by_half(seen, fractions);
   const MapReading map = renderer.read_map(analysis, size.x, size.y);
-  const std::vector<ErrorCause> causes = find_errors(truth, map.verdicts, texel_sizes(seen, truth, analysis), size.x, size.y);
+  const std::vector<ErrorCause> causes = find_errors(truth, map.verdicts, texel_sizes(seen, analysis), size.x, size.y);
   ErrorView view;
   view.image = {size.x, size.y, std::vector<std::uint8_t>(truth.size() * 4, 255)};
   view.errors = count_errors(truth, causes);

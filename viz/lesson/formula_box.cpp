@@ -16,18 +16,19 @@ class Setter {
   Setter(double size, bool display, Ink ink, const FontMetrics& metrics)
       : base_size_(size), display_(display), ink_(ink), metrics_(metrics) {}
 
-  std::vector<TypesetBox> pieces(const Formula& formula) {
-    std::vector<TypesetBox> out(1);
+  std::vector<FormulaPiece> pieces(const Formula& formula) {
+    std::vector<FormulaPiece> out(1);
     const std::vector<Formula> single{formula};
     const std::vector<Formula>& parts = formula.kind == Kind::row ? formula.parts : single;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      TypesetBox& line = out.back();
+      TypesetBox& line = out.back().box;
       const double space = i == 0 ? 0.0 : space_between(parts[i - 1], parts[i], i >= 2 ? &parts[i - 2] : nullptr);
       const TypesetBox part = set(parts[i]);
-      if (i > 0 && parts[i - 1].role == Role::relation) {
+      const bool after_quad = i > 0 && parts[i - 1].kind == Kind::space && parts[i - 1].width >= 1.0;
+      if (after_quad || (i > 0 && parts[i - 1].role == Role::relation)) {
         line.width += space;
-        out.emplace_back();
-        out.back().place(part, {0.0, 0.0});
+        out.push_back({{}, after_quad});
+        out.back().box.place(part, {0.0, 0.0});
       } else {
         line.place(part, {line.width + space, 0.0});
       }
@@ -133,9 +134,18 @@ class Setter {
     --level_;
     return box;
   }
+  static bool is_prime(const Formula& above) {
+    return !above.parts.empty() &&
+           std::all_of(above.parts.begin(), above.parts.end(), [](const Formula& p) { return p.text == "′"; });
+  }
   TypesetBox scripts(const Formula& f) {
     TypesetBox box = set(f.parts[0]);
     const bool leans = f.parts[0].italic;
+    if (is_prime(f.parts[2])) {  // high and small as it is
+      box.place(set(f.parts[2]), {box.width, 0.0});
+      if (!f.parts[1].parts.empty()) box.place(script(f.parts[1]), {box.width, std::max(0.18 * em(), box.descent - 0.02 * em())});
+      return box;
+    }
     const double right = box.width + 0.03 * em();
     const TypesetBox below = script(f.parts[1]), above = script(f.parts[2]);
     double raise = std::max(0.38 * em(), box.ascent - 0.32 * em());
@@ -203,7 +213,7 @@ class Setter {
 
 }  // namespace
 
-std::vector<TypesetBox> formula_boxes(const Formula& formula, double size, bool display, Ink ink, const FontMetrics& metrics) {
+std::vector<FormulaPiece> formula_pieces(const Formula& formula, double size, bool display, Ink ink, const FontMetrics& metrics) {
   return Setter(size, display, ink, metrics).pieces(formula);
 }
 

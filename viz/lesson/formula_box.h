@@ -7,7 +7,14 @@
 
 namespace psm {
 
-/// In parts between which a line may break: after each relation that stands in no group. `display`: fractions in full size.
-std::vector<TypesetBox> formula_boxes(const Formula& formula, double size, bool display, Ink ink, const FontMetrics& metrics);
+/// What no line break divides of a formula.
+struct FormulaPiece {
+  TypesetBox box;
+  bool after_quad = false;  // a statement of its own begins here: the best place to break before
+};
+
+/// In parts between which a line may break: after each relation that stands in no group, and after a quad. `display`: fractions
+/// in full size.
+std::vector<FormulaPiece> formula_pieces(const Formula& formula, double size, bool display, Ink ink, const FontMetrics& metrics);
 
 }  // namespace psm

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "draw/emphasis.h"
 #include "lesson/markdown.h"
 #include "scene/curve_row.h"
 #include "scene/experiment_members.h"
@@ -91,7 +92,7 @@ struct Step {
   std::string heading, source;
   std::optional<ExperimentMembers> experiment;
   bool continues = false;  // the experiment of the step before stays; `experiment` goes over it
-  std::vector<std::string> views, controls, highlight;
+  std::vector<std::string> views, controls, highlight, hide;
   std::optional<Animation> animation;
   std::vector<Question> questions;
   std::vector<Task> tasks;
@@ -122,6 +123,9 @@ std::size_t take_lesson_step(std::string& name);
 /// What a step may name.
 const std::vector<std::string>& lesson_view_names();
 const std::vector<std::string>& lesson_role_names();
+
+/// What the step stresses and leaves out.
+Emphasis emphasis_of(const Step& step);
 
 /// The one derived path among controls: the angle between view and a directional light.
 inline constexpr const char* kThetaControl = "light.theta_deg";

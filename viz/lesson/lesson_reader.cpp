@@ -125,8 +125,8 @@ void collect_texts(const JsonTree& node, std::string& out) {
 Step read_step(const MemberReader& json) {
   Step step;
   step.line = json.line();
-  if (!json.has_only({"heading", "source", "experiment", "continues", "views", "controls", "highlight", "animation", "questions",
-                      "tasks", "claims"}))
+  if (!json.has_only({"heading", "source", "experiment", "continues", "views", "controls", "highlight", "hide", "animation",
+                      "questions", "tasks", "claims"}))
     return step;
   step.heading = json.member("heading", true).text();
   if (json.has("source")) step.source = json.member("source").text();
@@ -136,6 +136,7 @@ Step read_step(const MemberReader& json) {
   if (json.has("controls")) step.controls = read_controls(json.member("controls"));
   if (json.has("highlight"))
     step.highlight = read_names(json.member("highlight"), lesson_role_names(), lesson_role_names().size());
+  if (json.has("hide")) step.hide = read_names(json.member("hide"), lesson_role_names(), lesson_role_names().size());
   if (json.has("animation")) step.animation = read_animation(json.member("animation"));
   if (json.has("questions")) step.questions = read_list(json.member("questions"), read_question);
   if (json.has("tasks")) step.tasks = read_list(json.member("tasks"), read_task);
@@ -256,9 +257,19 @@ const std::vector<std::string>& lesson_view_names() {
 }
 
 const std::vector<std::string>& lesson_role_names() {
-  static const std::vector<std::string> names{"frustum",         "light",      "caster_body", "receivers_body",
-                                              "vanishing_plane", "map_window", "infinity",    "texel_grid"};
+  static const std::vector<std::string> names{"frustum",    "light",    "caster_body", "receivers_body", "vanishing_plane",
+                                              "map_window", "infinity", "texel_grid",  "scene_bounds"};
   return names;
+}
+
+Emphasis emphasis_of(const Step& step) {
+  const auto roles = [](const std::vector<std::string>& names) {
+    std::vector<Role> out;
+    for (const std::string& name : names)
+      if (const auto role = role_from_name(name)) out.push_back(*role);
+    return out;
+  };
+  return {roles(step.highlight), roles(step.hide)};
 }
 
 Result<Lesson> read_lesson(const fs::path& folder) {

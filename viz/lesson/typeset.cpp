@@ -12,7 +12,7 @@ namespace {
 struct Piece {
   TypesetBox box;
   double space = 0.0;
-  bool breaks = false, new_line = false, centred = false;
+  bool breaks = false, breaks_best = false, new_line = false, centred = false;
   std::string link;
 };
 
@@ -62,8 +62,9 @@ class Pieces {
     const auto formula = parse_formula(run.text);
     if (!formula) return add_words(run, run.text);
     next_.new_line |= display, next_.centred = display;
-    for (TypesetBox& box : formula_boxes(*formula, size_, display, ink_of(run, block_), metrics_)) {
-      add(std::move(box), run);
+    for (FormulaPiece& piece : formula_pieces(*formula, size_, display, ink_of(run, block_), metrics_)) {
+      next_.breaks_best = display && piece.after_quad;
+      add(std::move(piece.box), run);
       next_.breaks = true, next_.centred = display;
     }
     next_ = {};
@@ -137,12 +138,13 @@ class Setter {
   /// One past the last piece of the line that begins here. Breaks where the text allows it, last before the width is full.
   static std::size_t line_end(const std::vector<Piece>& pieces, std::size_t begin, double width) {
     double x = pieces[begin].box.width;
-    std::size_t last_break = begin;
+    std::size_t last_break = begin, best_break = begin;
     for (std::size_t i = begin + 1; i < pieces.size(); ++i) {
       if (pieces[i].new_line) return i;
       if (pieces[i].breaks) last_break = i;
+      if (pieces[i].breaks_best) best_break = i;
       x += pieces[i].space + pieces[i].box.width;
-      if (x > width && last_break > begin) return last_break;
+      if (x > width && last_break > begin) return best_break > begin ? best_break : last_break;
     }
     return pieces.size();
   }

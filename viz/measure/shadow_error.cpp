@@ -87,12 +87,15 @@ std::optional<double> lit_difference(const std::vector<float>& fractions, const 
   return sum / double(count);
 }
 
-std::vector<float> texel_sizes(const VisibleImage& image, const std::vector<Lit>& truth, const Analysis& analysis) {
-  std::vector<float> m(truth.size(), 0.0f);
+std::vector<float> texel_sizes(const VisibleImage& image, const Analysis& analysis) {
+  const Experiment& x = analysis.experiment;
+  const glm::dvec4 light = homogeneous_light(x.light);
+  const double tangent = cone_tangent(x);
+  std::vector<float> m(image.points.size(), 0.0f);
   for_each_row(image.height, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(image.width), end = first + std::size_t(image.width);
     for (std::size_t i = first; i < end; ++i)
-      if (compared(truth[i])) m[i] = float(footprint_at(analysis, image.points[i], {image.width, image.height}).m);
+      if (image.sees(i) && in_light(image.points[i], light, x, tangent)) m[i] = float(footprint_at(analysis, image.points[i], {image.width, image.height}).m);
   });
   return m;
 }

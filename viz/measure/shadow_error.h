@@ -40,7 +40,7 @@ std::vector<Lit> trace_light(const RayTracer& tracer, const VisibleImage& image,
 std::optional<double> lit_difference(const std::vector<float>& fractions, const MapReading& map);
 
 /// m in pixels of the image's own size; 0 where nothing is seen or the surface faces away, infinite where it holds the light ray.
-std::vector<float> texel_sizes(const VisibleImage& image, const std::vector<Lit>& truth, const Analysis& analysis);
+std::vector<float> texel_sizes(const VisibleImage& image, const Analysis& analysis);
 
 /// Over the pixels with m > 0; nothing where there are none. An infinite m counts as undersampled and as the largest.
 std::optional<TexelStatistics> texel_statistics(const std::vector<float>& m);

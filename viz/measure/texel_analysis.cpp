@@ -25,21 +25,22 @@ void compare_with_uniform(Analysis& analysis, double p95_of_uniform) {
 
 }  // namespace
 
+void count_texels(Analysis& analysis, const Scene& scene, const RayTracer& tracer, const VisibleImage& image) {
+  analysis.texels = texel_statistics(texel_sizes(image, analysis));
+  if (!analysis.texels) {
+    analysis.notes.push_back(
+        {"texels_none", "No pixel shows a surface that faces the light: there are no texel sizes.", std::nullopt, std::nullopt});
+  } else if (analysis.technique_used != Technique::uniform) {
+    Experiment uniform = analysis.experiment;
+    uniform.shadow.technique = Technique::uniform;
+    compare_with_uniform(analysis, texel_statistics(texel_sizes(image, analyze(uniform, scene, tracer)))->m_p95);
+  }
+}
+
 Analysis analyze_with_texels(const Experiment& experiment, const Scene& scene) {
   const RayTracer tracer(scene);
   Analysis analysis = analyze(experiment, scene, tracer);
-  const VisibleImage image = see(tracer, experiment, experiment.image.width, experiment.image.height);
-  const std::vector<Lit> truth = trace_light(tracer, image, experiment);
-  analysis.texels = texel_statistics(texel_sizes(image, truth, analysis));
-  if (!analysis.texels)
-    analysis.notes.push_back(
-        {"texels_none", "No pixel shows a surface that faces the light: there are no texel sizes.", std::nullopt, std::nullopt});
-  else if (analysis.technique_used != Technique::uniform) {
-    Experiment uniform = experiment;
-    uniform.shadow.technique = Technique::uniform;
-    const auto texels = texel_statistics(texel_sizes(image, truth, analyze(uniform, scene, tracer)));
-    compare_with_uniform(analysis, texels->m_p95);
-  }
+  count_texels(analysis, scene, tracer, see(tracer, experiment, experiment.image.width, experiment.image.height));
   return analysis;
 }
 

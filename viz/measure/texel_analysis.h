@@ -2,12 +2,16 @@
 // An analysis with the texel statistics of every visible pixel.
 #pragma once
 
+#include "measure/visible_image.h"
 #include "scene/analysis.h"
 
 namespace psm {
 
-/// What the eye sees is traced, once coarsely for the analysis itself and once at every pixel for the statistics; whether the
-/// technique is worse than the uniform map is then decided by all pixels. A ray or more for each pixel of the image.
+/// The statistics of this analysis over every pixel of the image in place of those over a coarse grid, or none; they decide, too,
+/// whether the technique is worse than the uniform map. `tracer`: of the scene; `image`: what the experiment's camera sees.
+void count_texels(Analysis& analysis, const Scene& scene, const RayTracer& tracer, const VisibleImage& image);
+
+/// An analysis with them.
 Analysis analyze_with_texels(const Experiment& experiment, const Scene& scene);
 
 }  // namespace psm

@@ -36,7 +36,7 @@ Comparison::Comparison(std::filesystem::path assets, std::filesystem::path font)
 Comparison::~Comparison() = default;
 
 int Comparison::update(const Model& first, const ViewSettings& shown, const ViewRects& places, double scale, Theme theme,
-                       bool resting) {
+                       const Emphasis& emphasis, bool resting) {
   if (!shown.compare) return second_.reset(), 0;
   Experiment experiment = first.experiment();
   experiment.shadow.technique = *shown.compare;
@@ -47,6 +47,8 @@ int Comparison::update(const Model& first, const ViewSettings& shown, const View
   ViewSizes sizes{};
   for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = places[i].empty() ? glm::ivec2(0) : places[i].size();
   if (resting && sizes[std::size_t(ViewId::eye)].x > 0) s.images.trace_overlay(s.model, s.unwatched);
+  s.images.set_emphasis(emphasis);
+  if (first.texels_counted()) s.model.count_texels();
   return s.images.update(s.model, shown, sizes, scale, theme, s.unwatched);
 }
 

@@ -41,7 +41,8 @@ class Comparison {
   ~Comparison();
 
   /// Goes where A has gone and draws what is out of date; returns how many views. `shown`: the cameras of A's pictures.
-  int update(const Model& first, const ViewSettings& shown, const ViewRects& places, double scale, Theme theme, bool resting);
+  int update(const Model& first, const ViewSettings& shown, const ViewRects& places, double scale, Theme theme,
+             const Emphasis& emphasis, bool resting);
 
   /// Null while nothing is compared.
   const Analysis* analysis() const;

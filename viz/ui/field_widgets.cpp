@@ -51,7 +51,8 @@ struct RowWidgets {
     ImGui::PushID(index);
     ImGui::SetNextItemWidth(item_width);
     const char* format = item_width < 6.0f * ImGui::GetFontSize() ? "%.3g" : "%.5g";
-    ImGui::DragScalar("##component", ImGuiDataType_Double, &value, drag_speed(field, size), nullptr, nullptr, format,
+    const float speed = field.unit.empty() ? std::max(0.01f, 0.01f * std::abs(float(value))) : drag_speed(field, size);
+    ImGui::DragScalar("##component", ImGuiDataType_Double, &value, speed, nullptr, nullptr, format,
                       ImGuiSliderFlags_NoRoundToFormat);
     note_place(ui, name);
     ImGui::PopID();
@@ -244,14 +245,14 @@ int field_row_lines(const Field& field) {
   return std::holds_alternative<Vec3Ref>(field.member) ? 2 : 3;
 }
 
-void field_row(UiContext& ui, const Field& field, Experiment& experiment) {
+void field_row(UiContext& ui, const Field& field, Experiment& experiment, const std::string& label) {
   if (!field.applies(experiment)) return;
   ImGui::PushID(field.path.c_str());
   const float region = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX(),
               gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const bool own_line = needs_own_line(field);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(field_label(field).c_str());
+  ImGui::TextUnformatted((label.empty() ? field_label(field) : label).c_str());
   const float text_end = ImGui::GetItemRectSize().x + gap;
   if (own_line) ImGui::SameLine();
   if (own_line) reset_button(ui, field, experiment);

@@ -26,8 +26,8 @@ double scene_size(const Scene& scene);
 /// Lines of widgets that the row takes, at most.
 int field_row_lines(const Field& field);
 
-/// Label, widget and reset button. Edits `experiment`; the model makes it valid. Nothing is drawn for a field that does not
-/// apply.
-void field_row(UiContext& ui, const Field& field, Experiment& experiment);
+/// Label (field_label() unless given), widget and reset button. Edits `experiment`; the model makes it valid. Nothing is drawn
+/// for a field that does not apply.
+void field_row(UiContext& ui, const Field& field, Experiment& experiment, const std::string& label = "");
 
 }  // namespace psm

@@ -67,6 +67,22 @@ glm::dvec3 turned_sun(const HandleDrag& drag, glm::dvec2 pixel) {
   return glm::length(to_light) * (place.x * axes.right + place.y * axes.up + depth * axes.back);
 }
 
+/// Through the light and the handle's new place, with a normal as near the old one as that allows.
+glm::dvec4 moved_plane(const HandleDrag& drag, glm::dvec2 pixel, bool turned) {
+  constexpr double kTurnPerPixel = 0.01;  // radians
+  const LightSettings& light = drag.before.light;
+  const bool sun = light.type == LightType::directional;
+  const glm::dvec3 place = turned && sun ? drag.handle.position : moved(drag, pixel, turned);
+  glm::dvec3 normal = safe_normalize(glm::dvec3(drag.plane));
+  const glm::dvec3 held = safe_normalize(sun ? light.to_light : light.position - place);
+  if (turned && sun) {
+    const double angle = kTurnPerPixel * (pixel.x - drag.start.x);
+    normal = std::cos(angle) * normal + std::sin(angle) * glm::cross(held, normal);
+  }
+  const glm::dvec3 allowed = safe_normalize(normal - glm::dot(normal, held) * held);
+  return allowed == glm::dvec3(0.0) ? drag.plane : glm::dvec4(allowed, -glm::dot(allowed, place));
+}
+
 Experiment moved_to(const HandleDrag& drag, glm::dvec2 pixel, bool vertical) {
   Experiment out = drag.before;
   switch (drag.handle.kind) {
@@ -84,6 +100,10 @@ Experiment moved_to(const HandleDrag& drag, glm::dvec2 pixel, bool vertical) {
       break;
     case HandleKind::sun:
       out.light.to_light = turned_sun(drag, pixel);
+      break;
+    case HandleKind::plane:
+      out.shadow.technique = Technique::custom;
+      out.shadow.plane = moved_plane(drag, pixel, vertical);
       break;
   }
   return out;
@@ -115,28 +135,30 @@ void put_at_zero(Experiment& e) {
 }  // namespace
 
 const char* name_of(HandleKind kind) {
-  constexpr const char* names[] = {"camera", "camera's target", "light", "light's target", "sun"};
+  constexpr const char* names[] = {"camera", "camera's target", "light", "light's target", "sun", "vanishing plane"};
   return names[std::size_t(kind)];
 }
 
 Role role_of(HandleKind kind) {
+  if (kind == HandleKind::plane) return Role::vanishing_plane;
   return kind == HandleKind::camera_position || kind == HandleKind::camera_target ? Role::frustum : Role::light;
 }
 
 std::vector<Handle> handles(const ViewPicture& world, const Experiment& experiment, glm::ivec2 size) {
   std::vector<Handle> out;
+  const auto add_first = [&](HandleKind kind, Role role) {
+    const auto& points = world.list.points;
+    const auto point = std::find_if(points.begin(), points.end(), [&](const DrawPoint& p) { return p.role == role; });
+    if (point != points.end()) add(out, kind, point->position, world, size);
+  };
+  add_first(HandleKind::plane, Role::vanishing_plane);
   add(out, HandleKind::camera_position, {experiment.camera.position, 1.0}, world, size);
   add(out, HandleKind::camera_target, {experiment.camera.target, 1.0}, world, size);
   if (experiment.light.type == LightType::spot) add(out, HandleKind::light_target, {experiment.light.target, 1.0}, world, size);
-  if (experiment.light.type != LightType::directional) {
+  if (experiment.light.type == LightType::directional)
+    add_first(HandleKind::sun, Role::light);
+  else
     add(out, HandleKind::light_position, {experiment.light.position, 1.0}, world, size);
-    return out;
-  }
-  for (const DrawPoint& point : world.list.points)
-    if (point.role == Role::light) {
-      add(out, HandleKind::sun, point.position, world, size);
-      break;
-    }
   return out;
 }
 

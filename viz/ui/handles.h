@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be grabbed in the world view: the camera, its target, the light, its target, and the sun of a directional light.
+// What can be grabbed in the world view: the camera, its target, the light, its target, the sun of a directional light, and the
+// vanishing plane.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,7 +13,7 @@
 
 namespace psm {
 
-enum class HandleKind { camera_position, camera_target, light_position, light_target, sun };
+enum class HandleKind { camera_position, camera_target, light_position, light_target, sun, plane };
 
 struct Handle {
   HandleKind kind = HandleKind::camera_position;
@@ -39,11 +40,13 @@ struct HandleDrag {
   OrbitCamera camera;  // of the world view, which stays while a handle moves
   glm::ivec2 size{1};
   glm::dvec2 start{0.0};  // pixels
+  glm::dvec4 plane{0.0};  // that the world view shows
 };
 
 /// The experiment with the handle moved to where the mouse is now: in the plane through the handle parallel to the picture, or
 /// along the world's vertical if `vertical`. The sun turns around the middle of the view. A light within `snap_pixels` of where
-/// its w is 0 snaps there.
+/// its w is 0 snaps there. The vanishing plane, from then on technique custom's own, follows its handle and keeps passing through
+/// the light: a sun's moves along its normal, a lamp's turns; `vertical` turns a sun's about the light's direction.
 Experiment dragged(const HandleDrag& drag, glm::dvec2 pixel, bool vertical, double snap_pixels = 0.0);
 
 }  // namespace psm

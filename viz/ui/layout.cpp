@@ -7,7 +7,7 @@
 namespace psm {
 namespace {
 
-constexpr double kStackBelow = 1.1;  // width by height of a room where two views are better off one above the other
+constexpr double kStackBelow = 16.0 / 9.0;  // width by height of a room where two such pictures are larger one above the other
 
 int part(int whole, double fraction) { return int(std::lround(whole * fraction)); }
 

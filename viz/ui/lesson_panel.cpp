@@ -138,10 +138,10 @@ void LessonPanel::step(Context& c) {
   for (const Part& part : parts)
     if (part.draw) part.draw(c);
   part_heading("Start again");
-  if (c.button("Reset step", "lesson.reset_step")) c.ask(Kind::reset_step);
+  if (c.button("Reset step", "lesson.reset_step")) c.ask(Kind::reset_step), typed_.clear();
   rest_tooltip("This step's experiment, answers and tasks as they were at first.");
   ImGui::SameLine();
-  if (c.button("Reset lesson", "lesson.reset_lesson")) c.ask(Kind::reset_lesson);
+  if (c.button("Reset lesson", "lesson.reset_lesson")) c.ask(Kind::reset_lesson), typed_.clear();
   rest_tooltip("All steps as if you had never seen them.");
   ImGui::Dummy({0, ImGui::GetFontSize()});
 }

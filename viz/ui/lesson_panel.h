@@ -47,6 +47,7 @@ class LessonPanel {
   /// Moves the animated number; returns whether it goes on.
   bool play(const LessonSession& session, double now, Experiment& experiment);
   void stop() { play_.reset(); }
+  bool playing() const { return play_.has_value(); }
 
  private:
   struct Context;
@@ -97,7 +98,8 @@ class LessonPanel {
   LightControls light_;
   std::map<std::string, double> typed_;  // numbers not yet answered, by the question's name
   std::optional<LessonPlay> play_;
-  std::string shown_step_;  // that pages, scroll position and animation belong to
+  std::string shown_step_;                   // that pages, scroll position and animation belong to
+  std::optional<std::size_t> answered_now_;  // a question whose verdict is to be scrolled to
   bool lists_ = false;
   StageFit stage_;
   StageKey stage_key_;

@@ -25,10 +25,15 @@ glm::vec3 right_color(Theme theme) {
   return theme == Theme::dark ? role_color(Role::texel_grid) : role_text_color(Role::texel_grid);
 }
 
+/// The answer shows or changes something.
+bool predicts(const Question& question) { return !question.cover.empty() || question.reveal; }
+
 std::string verdict_words(const Question& question, const QuestionState& state) {
   const std::string truth = shown_number(state.truth) + " " + question.unit;
   if (state.shown) return question.kind == Question::Kind::number ? "● It is " + truth : "● The right answer is marked.";
-  std::string words = is_right(question, state) ? "● As you predicted." : "○ Not as you predicted.";
+  const bool right = is_right(question, state);
+  std::string words = predicts(question) ? (right ? "● As you predicted." : "○ Not as you predicted.")
+                                         : (right ? "● Right." : "○ Not quite.");
   if (question.kind == Question::Kind::number) words += " You said " + shown_number(*state.number) + ", it is " + truth;
   return words;
 }
@@ -52,8 +57,8 @@ void LessonPanel::question_parts(const Context& c, std::size_t index, Parts& par
   prompt.begins = true;
   if (!answered) prompt.question = index;
   prompt.height += c.part_heading_height() + c.gap();
-  prompt.draw = [answered, draw = std::move(prompt.draw)](Context& now) {
-    part_heading(answered ? "Question" : "Predict first");
+  prompt.draw = [first = predicts(question) && !answered, draw = std::move(prompt.draw)](Context& now) {
+    part_heading(first ? "Predict first" : "Question");
     draw(now);
   };
   parts.push_back(std::move(prompt));
@@ -75,6 +80,12 @@ void LessonPanel::question_parts(const Context& c, std::size_t index, Parts& par
     };
   parts.push_back(std::move(verdict));
   Part why = prose_part(c, name_of_question(index) + ".why", question.why);
+  why.draw = [this, index, draw = std::move(why.draw)](Context& now) {
+    draw(now);
+    if (answered_now_ != index) return;
+    answered_now_.reset();
+    if (!now.staged) ImGui::SetScrollHereY(1.0f);
+  };
   if (!answered) why.draw = {};
   parts.push_back(std::move(why));
 }
@@ -116,7 +127,9 @@ void LessonPanel::draw_choice(Context& c, std::size_t index, std::size_t choice)
   ImGui::SetCursorScreenPos({at.x + padding.x + mark, at.y + padding.y});
   show_page(c.ui, text, name);
   ImGui::SetCursorScreenPos(below);
-  if (chosen) c.commands.push_back({Kind::choose, index, "", int(choice), 0.0});
+  if (!chosen) return;
+  c.commands.push_back({Kind::choose, index, "", int(choice), 0.0});
+  answered_now_ = index;
 }
 
 void LessonPanel::number_answer(Context& c, std::size_t index) {
@@ -132,7 +145,9 @@ void LessonPanel::number_answer(Context& c, std::size_t index) {
   }
   ImGui::SameLine();
   const bool pressed = c.button("Answer", "lesson." + name + ".answer");
-  if ((entered || pressed) && std::isfinite(typed)) c.commands.push_back({Kind::answer, index, "", 0, typed});
+  if ((!entered && !pressed) || !std::isfinite(typed)) return;
+  c.commands.push_back({Kind::answer, index, "", 0, typed});
+  answered_now_ = index;
 }
 
 void LessonPanel::task_parts(const Context& c, std::size_t index, Parts& parts) {
@@ -148,6 +163,13 @@ void LessonPanel::task_parts(const Context& c, std::size_t index, Parts& parts) 
     draw(now);
   };
   parts.push_back(std::move(prompt));
+  parts.push_back(
+      {std::max(c.widget_height(), c.words_height(kReached)), [this, index](Context& now) { task_buttons(now, index); }});
+  if (state.done)
+    parts.back().draw = [shown = state.shown](Context& now) {
+      toned_words(right_color(now.ui.theme), shown ? kReached : "● Reached.");
+    };
+  // Below the buttons, which stay where they are.
   for (std::size_t i = 0; i < task.hints.size(); ++i) {
     Part hint = prose_part(c, name + ".hint." + std::to_string(i), task.hints[i]);
     hint.height += c.style.size + c.gap();
@@ -158,12 +180,6 @@ void LessonPanel::task_parts(const Context& c, std::size_t index, Parts& parts) 
     if (i >= state.hints) hint.draw = {};
     parts.push_back(std::move(hint));
   }
-  parts.push_back(
-      {std::max(c.widget_height(), c.words_height(kReached)), [this, index](Context& now) { task_buttons(now, index); }});
-  if (state.done)
-    parts.back().draw = [shown = state.shown](Context& now) {
-      toned_words(right_color(now.ui.theme), shown ? kReached : "● Reached.");
-    };
   Part done = prose_part(c, name + ".done", task.done);
   if (!state.done) done.draw = {};
   parts.push_back(std::move(done));

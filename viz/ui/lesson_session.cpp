@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace psm {
 namespace {
@@ -158,14 +159,15 @@ std::optional<Experiment> LessonSession::read_again(const Model& model) {
   return shown(run_->replace(std::move(*lesson), untouched ? run_->start() : current));
 }
 
-std::optional<Experiment> LessonSession::update(const Model& model, double now) {
+std::optional<Experiment> LessonSession::update(const Model& model, double now, bool moving) {
   if (!run_) return std::nullopt;
-  if (analysis_ != model.analysis_revision()) {
-    analysis_ = model.analysis_revision();
+  if (analysis_ != model.texels_revision() || view_ != model.experiment().view) {
+    analysis_ = model.texels_revision(), view_ = model.experiment().view;
     values_ = state_of(model.loaded(), model.analysis());
     ++revision_;
-    if (run_->check_tasks(values_, analyze_plainly)) keep_progress();
+    unchecked_ = true;
   }
+  if (!moving && std::exchange(unchecked_, false) && run_->check_tasks(values_, analyze_plainly)) ++revision_, keep_progress();
   if (now - looked_ < look_seconds) return std::nullopt;
   looked_ = now;
   const auto before = written_;
@@ -181,13 +183,9 @@ std::vector<ViewId> LessonSession::covered() const {
   return ids;
 }
 
-std::vector<Role> LessonSession::highlighted() const {
-  std::vector<Role> roles;
-  if (!run_) return roles;
-  for (const std::string& name : run_->step().highlight)
-    if (const auto role = role_from_name(name)) roles.push_back(*role);
-  return roles;
-}
+Emphasis LessonSession::emphasis() const { return run_ ? emphasis_of(run_->step()) : Emphasis{}; }
+
+bool LessonSession::needs_texels() const { return run_ && run_->step().written.find("error.texels.") != std::string::npos; }
 
 double LessonSession::next_look(double now) const {
   return run_ ? std::max(0.0, looked_ + look_seconds - now) : std::numeric_limits<double>::infinity();

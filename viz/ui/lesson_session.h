@@ -47,8 +47,9 @@ class LessonSession {
 
   /// Returns the experiment to show next, if it is another one.
   std::optional<Experiment> perform(const LessonCommand& command, const Model& model);
-  /// Once a frame: tasks are checked on a new analysis; files that changed are read again, looked at once a second.
-  std::optional<Experiment> update(const Model& model, double now);
+  /// Once a frame: tasks are checked on what is new, once it is no longer `moving`, since passing through is no answer; files
+  /// that changed are read again, looked at once a second.
+  std::optional<Experiment> update(const Model& model, double now, bool moving = false);
 
   const std::vector<LessonEntry>& shipped() const { return shipped_; }
   const ProgressByLesson& progress() const { return progress_; }
@@ -60,7 +61,9 @@ class LessonSession {
   /// What went wrong last: a file and its line; empty: nothing. The last good version stays open.
   const std::string& error() const { return error_; }
   std::vector<ViewId> covered() const;
-  std::vector<Role> highlighted() const;
+  Emphasis emphasis() const;
+  /// The step speaks of texels over all pixels, or asks for them.
+  bool needs_texels() const;
   /// Seconds until files are looked at again; infinite without a lesson.
   double next_look(double now) const;
 
@@ -79,7 +82,9 @@ class LessonSession {
   ProgressByLesson progress_;
   std::optional<LessonRun> run_;
   LessonState values_;
-  std::uint64_t revision_ = 1, analysis_ = 0;
+  std::uint64_t revision_ = 1, analysis_ = 0;  // analysis_: as Model counts them with their texels
+  ViewSettings view_;
+  bool unchecked_ = false;
   std::string error_;
   std::vector<std::filesystem::file_time_type> written_;  // of the lesson's two files, when they were read
   double looked_ = 0.0;

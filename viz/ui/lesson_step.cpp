@@ -13,6 +13,13 @@ std::vector<Prose> blocks_of(const Prose& prose) {
   return blocks;
 }
 
+/// Beside controls of other groups a bare "position" could be anybody's.
+std::string control_label(const Field& field) {
+  if (field.path == "light.to_light") return "direction to light";
+  const std::string label = field_label(field);
+  return field.path.starts_with("light.") ? "light " + label : field.path.starts_with("camera.") ? "camera " + label : label;
+}
+
 }  // namespace
 
 LessonPanel::Parts LessonPanel::step_parts(const Context& c) {
@@ -69,7 +76,7 @@ void LessonPanel::control_parts(const Context& c, Parts& parts) {
     } else if (const Field* field = find_field(path)) {
       const int lines = field_row_lines(*field);
       parts.push_back({lines * c.widget_height() + (lines - 1) * c.gap(),
-                       [field](Context& now) { field_row(now.ui, *field, now.experiment); }});
+                       [field](Context& now) { field_row(now.ui, *field, now.experiment, control_label(*field)); }});
     }
   }
   if (c.run().step().animation) parts.push_back({c.widget_height(), [this](Context& now) { animation_button(now); }});

@@ -156,7 +156,8 @@ void theta_slider(UiContext& ui, LightControls& state, Experiment& e) {
   const auto ticks = theta_ticks(e);
   caption("θ, between light and view", ticks);
   ImGui::SetNextItemWidth(full_width());
-  if (ticked_slider("##theta", degrees, {0.0, 180.0, false, false}, ticks, shown_number(degrees) + "°", ui.theme)) {
+  if (ticked_slider("##theta", degrees, {0.0, 180.0, false, false}, ticks,
+                    shown_number(std::abs(degrees) < 1e-9 ? 0.0 : degrees) + "°", ui.theme)) {
     if (!state.theta_side) state.theta_side = theta_side(e);
     const double theta = degrees == 90.0 ? half_pi : glm::radians(std::clamp(degrees, 0.0, 180.0));
     if (degrees != before) e.light.to_light = to_light_at(e, theta, *state.theta_side);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "measure/texel_analysis.h"
 #include "scene/eye_and_light.h"
 
 namespace psm {
@@ -70,8 +71,23 @@ void Model::adopt_scene_source() {
 
 void Model::analyze_now() {
   trace_points();
-  analysis_ = analyzed();
+  adopt(analyzed());
+}
+
+void Model::adopt(Analysis analysis) {
+  analysis_ = std::move(analysis);
   ++analysis_revision_;
+  ++texels_revision_;
+}
+
+void Model::count_texels() {
+  if (texels_counted()) return;
+  counted_of_ = analysis_revision_;
+  const ImageSettings& size = loaded_.experiment.image;
+  if (image_sight_ != sight() || image_.width != size.width) image_ = see(tracer_, loaded_.experiment, size.width, size.height);
+  image_sight_ = sight();
+  psm::count_texels(analysis_, loaded_.scene, tracer_, image_);
+  ++texels_revision_;
 }
 
 Analysis Model::analyzed() {
@@ -112,9 +128,9 @@ bool Model::set_visible_points(std::vector<SurfacePoint> points, const Sight& si
   points_ms_ = ms;
   ++points_revision_;
   Analysis next = analyzed();
+  if (texels_counted()) next.texels = analysis_.texels;  // they do not go by these points
   if (same_answer(next, analysis_)) return false;
-  analysis_ = std::move(next);
-  ++analysis_revision_;
+  adopt(std::move(next));
   return true;
 }
 

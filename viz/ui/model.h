@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "measure/shadow_error.h"
@@ -63,6 +64,10 @@ class Model {
   void set_points_source(PointsSource source);
   /// What the eye of `sight` sees, from the card. Analyzed again only where that changes the answer; returns whether it does.
   bool set_visible_points(std::vector<SurfacePoint> points, const Sight& sight, double ms);
+  /// Statistics of texels over all pixels in place of those over the visible points, unless this analysis has them. Takes a
+  /// hundred milliseconds, several where the eye has moved.
+  void count_texels();
+  bool texels_counted() const { return counted_of_ == analysis_revision_; }
   Sight sight() const;
   /// What the analysis went by, and of which eye that was: an older one while new points are on their way.
   const std::vector<SurfacePoint>& visible_points() const { return points_; }
@@ -70,7 +75,10 @@ class Model {
   PointsSource points_source() const { return source_; }
 
   const History& history() const { return history_; }
+  /// Undo begins anew with `history`; returns what there was.
+  History replace_history(History history) { return std::exchange(history_, std::move(history)); }
   std::uint64_t analysis_revision() const { return analysis_revision_; }  // grows with each analysis
+  std::uint64_t texels_revision() const { return texels_revision_; }      // grows with that, and when the texels are counted
   std::uint64_t scene_revision() const { return scene_revision_; }        // grows with each scene
   std::uint64_t points_revision() const { return points_revision_; }      // grows with each set of visible points
   double analysis_ms() const { return analysis_ms_; }                     // without the visible points
@@ -82,6 +90,7 @@ class Model {
   std::optional<InputError> load_scene_of(const Experiment& experiment);
   void analyze_now();
   Analysis analyzed();
+  void adopt(Analysis analysis);
   void trace_points();
   void adopt_scene_source();
 
@@ -91,8 +100,11 @@ class Model {
   std::map<std::string, Experiment> originals_;  // by scene source, for undo across scenes
   Analysis analysis_;
   History history_;
-  std::uint64_t analysis_revision_ = 0, scene_revision_ = 0;
+  std::uint64_t analysis_revision_ = 0, texels_revision_ = 0, scene_revision_ = 0;
+  std::uint64_t counted_of_ = 0;  // analysis revision
   double analysis_ms_ = 0.0, points_ms_ = 0.0;
+  VisibleImage image_;  // of all pixels, for image_sight_
+  std::optional<Sight> image_sight_;
   PointsSource source_ = PointsSource::rays;
   std::vector<SurfacePoint> points_;
   std::optional<Sight> points_sight_;

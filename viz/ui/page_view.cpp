@@ -50,6 +50,14 @@ Color ink_color(Ink ink, Theme theme) {
   return 0;
 }
 
+/// What a click does.
+std::string link_tip(const std::string& target) {
+  if (target.starts_with("https:")) return target + "\nClick: copies the address.";
+  if (target.starts_with("lesson:")) return "Opens lesson " + target.substr(7);
+  if (target.starts_with("set:")) return "Sets " + target.substr(4);
+  return target;
+}
+
 void draw_run(const GlyphRun& run, const ImVec2& origin, Theme theme) {
   ImFont* font = face_font(run.type.face);
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -110,7 +118,7 @@ std::string show_page(UiContext& ui, const TextPage& page, const std::string& na
     focus_ring();
     note_place(ui, name + ".link." + std::to_string(i));
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    rest_tooltip(link.target.starts_with("https:") ? link.target + "\nClick: copies the address." : link.target);
+    rest_tooltip(link_tip(link.target));
     const float line = std::round(origin.y + float(link.max.y) - 0.1f * float(link.max.y - link.min.y));
     ImGui::GetWindowDrawList()->AddLine({origin.x + float(link.min.x), line}, {origin.x + float(link.max.x), line},
                                         ink_color(Ink::link, ui.theme));

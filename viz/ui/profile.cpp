@@ -7,15 +7,16 @@ namespace psm {
 namespace {
 
 bool computes(const FrameProfile& frame) {
-  return std::any_of(frame.begin(), frame.end() - 2, [](const StageRun& run) { return run.ran; });
+  return std::any_of(frame.begin(), frame.end() - 3, [](const StageRun& run) { return run.ran; });
 }
 
 }  // namespace
 
 const char* name_of(Stage stage) {
-  constexpr const char* names[kStages] = {"visible points", "analysis",  "scene upload", "shadow map",      "truth (rays)",
-                                          "world view",     "cube view", "map view",     "eye view",        "body view",
-                                          "curves",         "explorer",  "technique B",  "gain of the fit", "interface"};
+  constexpr const char* names[kStages] = {"visible points", "analysis",           "scene upload",    "shadow map",
+                                          "truth (rays)",   "world view",      "cube view",
+                                          "map view",       "eye view",           "body view",       "curves",
+                                          "explorer",       "technique B", "all texels", "gain of the fit", "interface"};
   return names[std::size_t(stage)];
 }
 

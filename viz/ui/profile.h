@@ -29,10 +29,11 @@ enum class Stage {
   view_curves,
   view_explorer,
   compare,
+  texels,
   gain,
   interface
 };
-inline constexpr std::size_t kStages = 15;
+inline constexpr std::size_t kStages = 16;
 
 const char* name_of(Stage stage);
 Stage stage_of(ViewId view);

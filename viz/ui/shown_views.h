@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "draw/draw_list.h"
+#include "draw/emphasis.h"
 #include "draw/theme.h"
 #include "lesson/lesson.h"
 #include "scene/experiment_file.h"
@@ -20,7 +20,7 @@ struct ShownViews {
   glm::ivec2 size{0};        // of them all
   double scale = 1.0;
   Theme theme = Theme::light;
-  std::vector<Role> highlighted;
+  Emphasis emphasis;
   std::optional<Animation> animation;  // of the lesson's step
 };
 

@@ -54,11 +54,4 @@ void rest_tooltip(const std::string& text) {
   ImGui::EndTooltip();
 }
 
-std::string shown_number(double value, int digits) {
-  if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
-}
-
 }  // namespace psm

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/sketch.h"
 #include "ui/layout.h"
 #include "ui/model.h"
 #include "ui/settings.h"
@@ -57,6 +58,6 @@ bool mouse_on(const char* name);
 bool rested_on(const char* name);
 
 /// A short number: at most `digits` significant ones; "∞" for infinity.
-std::string shown_number(double value, int digits = 4);
+inline std::string shown_number(double value, int digits = 4) { return short_number(value, digits); }
 
 }  // namespace psm

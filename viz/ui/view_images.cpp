@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view_images.h"
 
-#include "draw/emphasis.h"
+#include <utility>
+
+#include "draw/texel_overlay.h"
 #include "ui/comparison.h"
 #include "ui/navigation.h"
 
@@ -85,8 +87,7 @@ bool ViewImages::is_traced(const Model& model, EyeOverlay overlay) const {
 
 int ViewImages::update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme,
                        Profile& profile) {
-  if (known_analysis_ != model.analysis_revision()) analysis_ = model.analysis();
-  known_analysis_ = model.analysis_revision();
+  if (std::exchange(known_texels_, model.texels_revision()) != model.texels_revision()) analysis_ = model.analysis();
   analysis_.experiment.view = shown;
   int drawn = 0;
   for (ViewId id : kAllViews) {
@@ -98,12 +99,20 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
     View& view = views_[std::size_t(id)];
     const bool wants_rays = id == ViewId::eye && takes_rays(shown.eye_overlay);
     const bool has_rays = wants_rays && is_traced(model, shown.eye_overlay);
-    const Key key{model.analysis_revision(), relevant(id, shown), size, scale, theme, has_rays ? traced_of_ : 0, highlight_};
+    const bool shows_texels = id == ViewId::eye && heat_scale(shown.eye_overlay);
+    const Key key{model.analysis_revision(),
+                  relevant(id, shown),
+                  size,
+                  scale,
+                  theme,
+                  has_rays ? traced_of_ : 0,
+                  shows_texels ? model.texels_revision() : 0,
+                  emphasis_};
     if (view.texture != 0 && view.key == key) continue;
     if (!is_drawing(id)) upload(model, profile);
     profile.run(stage_of(id), [&] {
       view.picture = describe_view(id, analysis_, model.scene(), size, scale);
-      emphasise(view.picture.list, highlight_);
+      emphasise(view.picture.list, emphasis_);
       if (has_rays) show_overlay(view.picture, *traced_);
       if (wants_rays && !has_rays) announce_overlay(view.picture);
       drop_divided_numbers(view.picture, shown);

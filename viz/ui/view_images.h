@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "draw/emphasis.h"
 #include "draw/view.h"
 #include "gl/renderer.h"
 #include "gl/traced_overlay.h"
@@ -40,8 +41,9 @@ class ViewImages {
 
   /// Draws what is out of date; returns how many views were drawn. `sizes`: empty (0) for hidden views.
   int update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme, Profile& profile);
-  /// Roles drawn stronger than the rest from now on; none: all alike.
-  void highlight(std::vector<Role> roles) { highlight_ = std::move(roles); }
+  /// From now on.
+  void set_emphasis(Emphasis emphasis) { emphasis_ = std::move(emphasis); }
+  const Emphasis& emphasis() const { return emphasis_; }
   /// The card has this model's scene.
   bool has_scene_of(const Model& model) const { return scene_ == model.scene_revision(); }
 
@@ -62,7 +64,8 @@ class ViewImages {
     double scale = 0.0;
     Theme theme = Theme::light;
     std::uint64_t traced = 0;  // the analysis whose traced overlay is shown
-    std::vector<Role> highlight;
+    std::uint64_t texels = 0;  // the statistics that the legend shows
+    Emphasis emphasis;
     bool operator==(const Key&) const = default;
   };
   struct View {
@@ -75,11 +78,11 @@ class ViewImages {
 
   Renderer& renderer_;
   Analysis analysis_;
-  std::vector<Role> highlight_;
+  Emphasis emphasis_;
   std::optional<TracedOverlay> traced_;
   EyeOverlay traced_kind_ = EyeOverlay::none;
   std::uint64_t traced_of_ = 0;  // analysis revision
-  std::uint64_t scene_ = 0, map_ = 0, known_analysis_ = 0;
+  std::uint64_t scene_ = 0, map_ = 0, known_texels_ = 0;
   std::array<View, kAllViews.size()> views_;
 };
 

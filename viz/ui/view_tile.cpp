@@ -86,7 +86,8 @@ void begin_drag(ViewId id, const Rect& picture, const ViewImages& images, const 
       picked_handle(handles(images.picture(id), images.analysis().experiment, picture.size()), mouse.pixel, handle_reach * scale);
   if (!near) return;
   drag.kind = ViewDrag::Kind::handle;
-  drag.handle = HandleDrag{*near, experiment, camera_now(id, images, picture), picture.size(), mouse.pixel};
+  drag.handle = HandleDrag{*near,          experiment,  camera_now(id, images, picture),
+                           picture.size(), mouse.pixel, shown_vanishing_plane(images.analysis()).value_or(glm::dvec4(0.0))};
 }
 
 void drag_orbit(ViewId id, const Rect& picture, const ViewImages& images, const Mouse& mouse, ViewDrag::Kind kind,

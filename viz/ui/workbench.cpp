@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "draw/texel_overlay.h"
 #include "scene/light_angles.h"
 #include "ui/badge_bar.h"
 #include "ui/cube_tools.h"
@@ -82,7 +83,8 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   take_keys(presses);
   for (const LessonCommand& command : std::exchange(lesson_commands_, {})) perform(command);
   // What is on its way to a solution does not count as one, nor as a result.
-  if (!reveal_) show_lesson_experiment(lessons_.update(model_, ImGui::GetTime()));
+  const bool moving = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive() || lesson_panel_.playing();
+  if (!reveal_) show_lesson_experiment(lessons_.update(model_, ImGui::GetTime(), moving));
   model_.set_points_source(settings_.points_from);
   readback_.take(model_, renderer_, profile_);
 
@@ -279,6 +281,7 @@ void Workbench::draw_views(Frame& f) {
   const bool resting =
       !f.changed && !shift_play_ && !cube_play_ && !reveal_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
   if (resting && sizes[std::size_t(ViewId::eye)].x > 0) images_.trace_overlay(model_, profile_);
+  if (resting && shows_texels()) count_texels();
   // A fit that a hidden view never had is found when the view shows.
   const ViewSettings shown = fitted_.shown(model_, sizes);
   int drawn = images_.update(model_, shown, sizes, f.scale, settings_.theme, profile_);
@@ -301,9 +304,21 @@ void Workbench::draw_views(Frame& f) {
   cover_tiles(f);
 }
 
+/// Somebody reads the sizes of texels, and not only as one number among many.
+bool Workbench::shows_texels() const {
+  return heat_scale(model_.experiment().view.eye_overlay) || (settings_.layout.lesson_shown && lessons_.needs_texels());
+}
+
+/// While something moves, the coarse grid's answer has to do.
+void Workbench::count_texels() {
+  if (model_.texels_counted()) return;
+  profile_.run(Stage::texels, [&] { model_.count_texels(); });
+  wake();
+}
+
 int Workbench::update_comparison(const Frame& f, const ViewSettings& shown, bool resting) {
   const auto start = std::chrono::steady_clock::now();
-  const int drawn = comparison_.update(model_, shown, f.second, f.scale, settings_.theme, resting);
+  const int drawn = comparison_.update(model_, shown, f.second, f.scale, settings_.theme, images_.emphasis(), resting);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   if (drawn > 0)
     profile_.ran(Stage::compare, time.count());

@@ -167,6 +167,8 @@ class Workbench {
   void save(const std::string& file);
   void commit(Frame& f);
   void draw_views(Frame& f);
+  bool shows_texels() const;
+  void count_texels();
   int update_comparison(const Frame& f, const ViewSettings& shown, bool resting);
   void end_frame(Frame& f);
   void report_model();
@@ -229,6 +231,7 @@ class Workbench {
   Places places_;
   KeyboardPane keyboard_;
   std::string message_;
+  History own_history_;     // the student's, while a lesson is open
   std::string typed_path_;  // in the Open dialog, until it has been opened
   std::filesystem::path last_picture_;
   std::string picture_ending_ = ".png";  // of the last name that was asked for

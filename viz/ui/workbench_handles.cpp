@@ -50,7 +50,8 @@ void Workbench::move_selected_handle(const Rect& world, double scale, Experiment
   const auto found = std::find_if(all.begin(), all.end(), [&](const Handle& h) { return h.kind == *drag_.selected; });
   if (found == all.end()) return;
   const double aspect = double(world.size().x) / std::max(1, world.size().y);
-  const HandleDrag drag{*found, edited, view_camera(ViewId::world, images_.analysis(), aspect), world.size(), found->pixel};
+  const HandleDrag drag{*found,       edited,       view_camera(ViewId::world, images_.analysis(), aspect),
+                        world.size(), found->pixel, shown_vanishing_plane(images_.analysis()).value_or(glm::dvec4(0.0))};
   const ViewSettings view = edited.view;
   edited = dragged(drag, found->pixel + steps * (io.KeyCtrl ? kFineStep : kStep) * scale, io.KeyShift);
   edited.view = view;

@@ -29,7 +29,8 @@ void forget_navigation() {
 }  // namespace
 
 void Workbench::lesson_pane(Frame& f) {
-  images_.highlight(f.layout.lesson.empty() ? std::vector<Role>() : lessons_.highlighted());
+  const bool shown = !f.layout.lesson.empty();
+  images_.set_emphasis(shown ? lessons_.emphasis() : Emphasis{});
   if (f.layout.lesson.empty()) return;
   if (lesson_panel_.play(lessons_, f.now, f.edited)) f.tag = "play lesson", wake();
   auto commands = stages_lesson() ? lesson_panel_.draw_stage(f.ui, lessons_, f.layout.lesson, f.edited)
@@ -42,10 +43,15 @@ void Workbench::perform(const LessonCommand& command) {
   finish_reveal();
   lesson_panel_.stop();
   const auto next = lessons_.perform(command, model_);
+  if (!was_open && lessons_.run()) own_history_ = model_.replace_history({});
   if (next && reveals(command))
     play_reveal(*next);
   else
     show_lesson_experiment(next);
+  // Undo stays within a step: its text would not fit the experiment of another. The student's own history comes back.
+  const bool other_step = command.kind == LessonCommand::Kind::open || command.kind == LessonCommand::Kind::go_to;
+  if (lessons_.run() && other_step && next) model_.replace_history({});
+  if (was_open && !lessons_.run()) model_.replace_history(std::exchange(own_history_, {}));
   if (command.kind == LessonCommand::Kind::open && lessons_.run() && lessons_.error().empty()) lesson_panel_.show_list(false);
   if (was_open && !lessons_.run()) toggle_lesson_pane();
 }

@@ -44,7 +44,7 @@ ShownViews Workbench::shown_views(const Frame& f) {
   for (Rect& place : out.places) place = {place.min - whole.min, place.max - whole.min};
   out.size = whole.size();
   if (!settings_.layout.lesson_shown || !lessons_.run()) return out;
-  out.highlighted = lessons_.highlighted();
+  out.emphasis = lessons_.emphasis();
   out.animation = lessons_.run()->step().animation;
   return out;
 }
