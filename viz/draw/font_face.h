@@ -13,8 +13,9 @@ namespace psm {
 
 /// The code points, first and last of each range, that the window's type is baked for: Latin, Greek, punctuation, sub- and
 /// superscripts, arrows and mathematics, shapes.
-inline constexpr char32_t kTextRanges[][2] = {{0x0020, 0x007E}, {0x00A0, 0x00FF}, {0x0370, 0x03FF}, {0x1D62, 0x1D65},
-                                              {0x2010, 0x205F}, {0x2070, 0x209F}, {0x2190, 0x22FF}, {0x25A0, 0x25FF}};
+inline constexpr char32_t kTextRanges[][2] = {{0x0020, 0x007E}, {0x00A0, 0x00FF}, {0x0370, 0x03FF},
+                                              {0x1D62, 0x1D65}, {0x2010, 0x205F}, {0x2070, 0x209F},
+                                              {0x2100, 0x214F}, {0x2190, 0x22FF}, {0x25A0, 0x25FF}};
 
 /// How far a text's ink reaches above and below the baseline.
 struct Reach {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/glyph_atlas.h"
 
-#include <array>
 #include <cmath>
 
+#include "draw/font_face.h"
 #include "draw/utf8.h"
 
 #pragma GCC diagnostic push
@@ -19,18 +19,6 @@
 namespace psm::gl {
 namespace {
 
-struct Range {
-  int first, last;
-};
-// Latin, Greek, punctuation, scripts, letterlike, arrows and operators, geometric shapes.
-constexpr std::array<Range, 8> kRanges{{{0x20, 0x7E},
-                                        {0xA0, 0xFF},
-                                        {0x370, 0x3FF},
-                                        {0x2010, 0x205F},
-                                        {0x2070, 0x209F},
-                                        {0x2100, 0x214F},
-                                        {0x2190, 0x22FF},
-                                        {0x25A0, 0x25FF}}};
 constexpr char32_t kMissing = 0x25A1;
 constexpr int kOversampleX = 2, kFirstSide = 512, kLargestSide = 8192;
 
@@ -68,11 +56,11 @@ bool GlyphAtlas::bake(const std::string& font, int pixel_size, int side) {
   stbtt_PackSetOversampling(&pack, kOversampleX, 1);
   stbtt_PackSetSkipMissingCodepoints(&pack, 1);
   bool fits = true;
-  for (const Range& range : kRanges) {
-    std::vector<stbtt_packedchar> packed(std::size_t(range.last - range.first + 1));
-    fits = stbtt_PackFontRange(&pack, bytes, 0, float(pixel_size), range.first, int(packed.size()), packed.data()) && fits;
+  for (const auto& [first, last] : kTextRanges) {
+    std::vector<stbtt_packedchar> packed(std::size_t(last - first + 1));
+    fits = stbtt_PackFontRange(&pack, bytes, 0, float(pixel_size), int(first), int(packed.size()), packed.data()) && fits;
     for (std::size_t i = 0; i < packed.size(); ++i) {
-      const int character = range.first + int(i);
+      const int character = int(first + i);
       if (stbtt_FindGlyphIndex(&info, character) != 0) glyphs_[char32_t(character)] = make_glyph(packed[i], side);
     }
   }
