@@ -122,6 +122,7 @@ TEST(Quantities, ComeFromTheAnalysisAndTheModel) {
   EXPECT_FALSE(*holds(condition, state, analyze));
   EXPECT_EQ(live_text(state.analysis, "technique_used"), "gmnpr");
   EXPECT_EQ(live_text(state.analysis, "error.texels"), "-");
+  EXPECT_EQ(live_text(state.analysis, "light_case.inside_receivers"), "no");
   EXPECT_EQ(live_text(state.analysis, "experiment.shadow.resolution"), "1024");
   EXPECT_EQ(live_text(state.analysis, "experiment.light.to_light"), "(0, 1, -0.5)");
 }

@@ -80,7 +80,7 @@ std::string shown(const Scalar& scalar) {
 /// A vector stands in brackets; a longer array or an object is none that a line of text could show.
 std::string live_text(const JsonTree& node) {
   if (node.kind == JsonTree::Kind::text) return node.text == "inf" ? "\u221e" : node.text == "-inf" ? "\u2212\u221e" : node.text;
-  if (node.kind == JsonTree::Kind::boolean) return node.boolean ? "true" : "false";
+  if (node.kind == JsonTree::Kind::boolean) return node.boolean ? "yes" : "no";
   if (node.kind == JsonTree::Kind::number) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", node.number);

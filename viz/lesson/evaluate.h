@@ -34,7 +34,7 @@ Result<bool> holds(const Condition& condition, const LessonState& state, const A
 /// "0.53 is not above 0.6", for a condition that does not hold.
 std::string why_not(const Condition& condition, const LessonState& state, const Analyze& analyze);
 
-/// The value at the path, 4 significant digits, a vector in brackets; "-" where it is null or the path leads nowhere.
+/// The value at the path, 4 significant digits, yes or no, a vector in brackets; "-" where it is null or the path leads nowhere.
 std::string live_text(const JsonTree& analysis, const std::string& path);
 
 /// Whether an experiment's own analysis lacks what this path leads to: statistics of texels must be asked for.

@@ -120,6 +120,10 @@ std::vector<std::filesystem::path> lesson_folders(const std::filesystem::path& l
 /// Of "05_directional_lights/3", which loses its "/3": 2. Without a number behind the last slash: 0.
 std::size_t take_lesson_step(std::string& name);
 
+/// "5  Directional lights": the number from the lesson's name, "05_directional_lights", before its title. A name without one
+/// adds nothing.
+std::string numbered_title(const std::string& name, const std::string& title);
+
 /// What a step may name.
 const std::vector<std::string>& lesson_view_names();
 const std::vector<std::string>& lesson_role_names();

@@ -300,6 +300,13 @@ std::size_t take_lesson_step(std::string& name) {
   return std::size_t(std::max(1, std::stoi(digits))) - 1;
 }
 
+std::string numbered_title(const std::string& name, const std::string& title) {
+  const std::size_t end = name.find_first_not_of("0123456789");
+  if (end == 0 || end == std::string::npos || name[end] != '_') return title;
+  const std::size_t begin = std::min(name.find_first_not_of('0'), end - 1);
+  return name.substr(begin, end - begin) + "\u00a0 " + title;
+}
+
 std::vector<fs::path> lesson_folders(const fs::path& lessons) {
   std::vector<fs::path> folders;
   std::error_code error;

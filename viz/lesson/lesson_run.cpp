@@ -2,17 +2,60 @@
 #include "lesson/lesson_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace psm {
+namespace {
 
-LessonRun::LessonRun(Lesson lesson, const Experiment& own) : lesson_(std::move(lesson)), own_(own), start_(own) { fit_states(); }
+bool fits(const Question& question, const QuestionState& state) {
+  if (question.kind == Question::Kind::number) return !state.choice;
+  return !state.number && state.choice.value_or(0) < int(question.choices.size());
+}
+
+/// What is known of a step. A lesson may have got or lost steps since: then its heading finds it.
+const StepProgress* find_progress(const LessonProgress& known, std::size_t index, const std::string& heading) {
+  const auto has_heading = [&](const StepProgress& step) { return step.heading == heading; };
+  if (index < known.steps.size() && (known.steps[index].heading.empty() || has_heading(known.steps[index])))
+    return &known.steps[index];
+  const auto found = std::find_if(known.steps.begin(), known.steps.end(), has_heading);
+  return found == known.steps.end() ? nullptr : &*found;
+}
+
+/// A number is kept where a file can hold it.
+bool is_kept(const QuestionState& state) { return !state.number || (std::isfinite(*state.number) && std::isfinite(state.truth)); }
+
+}  // namespace
+
+std::size_t LessonProgress::finished() const {
+  return std::size_t(std::count_if(steps.begin(), steps.end(), [](const StepProgress& step) { return step.finished; }));
+}
+
+LessonRun::LessonRun(Lesson lesson, const LessonProgress& known) : lesson_(std::move(lesson)) {
+  if (known.step < lesson_.steps.size()) index_ = known.step;
+  recall(known);
+}
 
 void LessonRun::fit_states() {
   states_.resize(lesson_.steps.size());
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    states_[i].questions.resize(lesson_.steps[i].questions.size());
-    states_[i].tasks.resize(lesson_.steps[i].tasks.size());
+    const Step& step = lesson_.steps[i];
+    states_[i].questions.resize(step.questions.size());
+    states_[i].tasks.resize(step.tasks.size());
+    for (std::size_t q = 0; q < step.questions.size(); ++q)
+      if (!fits(step.questions[q], states_[i].questions[q])) states_[i].questions[q] = {};
   }
+}
+
+void LessonRun::recall(const LessonProgress& known) {
+  states_.resize(lesson_.steps.size());
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const StepProgress* step = find_progress(known, i, lesson_.steps[i].heading);
+    if (!step) continue;
+    states_[i].finished_before = step->finished;
+    states_[i].questions = step->answers;
+    for (const bool done : step->tasks) states_[i].tasks.push_back({0, done, false});
+  }
+  fit_states();
 }
 
 /// `before`: what the step before was left with, where one comes from there.
@@ -78,15 +121,6 @@ Result<Experiment> LessonRun::replace(Lesson lesson, const Experiment& current) 
   index_ = step;
   fit_states();
   states_[index_].visited = true;
-  for (std::size_t i = 0; i < states_.size(); ++i)
-    for (std::size_t q = 0; q < states_[i].questions.size(); ++q) {
-      const Question& question = lesson_.steps[i].questions[q];
-      QuestionState& state = states_[i].questions[q];
-      const bool fits = question.kind == Question::Kind::number
-                            ? !state.choice
-                            : !state.number && state.choice.value_or(0) < int(question.choices.size());
-      if (!fits) state = {};
-    }
   start_ = *start;
   return untouched ? start_ : current;
 }
@@ -116,14 +150,21 @@ bool LessonRun::check_tasks(const LessonState& analysed, const Analyze& analyze)
 
 bool LessonRun::finished(std::size_t step) const {
   const StepState& state = states_[step];
+  if (state.finished_before) return true;
   return state.visited &&
          std::all_of(state.questions.begin(), state.questions.end(), [](const auto& q) { return q.answered(); }) &&
          std::all_of(state.tasks.begin(), state.tasks.end(), [](const auto& t) { return t.done; });
 }
 
 LessonProgress LessonRun::progress() const {
-  LessonProgress progress{index_, states_.size(), 0};
-  for (std::size_t i = 0; i < states_.size(); ++i) progress.finished += finished(i);
+  LessonProgress progress{index_, {}};
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    StepProgress step{lesson_.steps[i].heading, finished(i), {}, {}};
+    for (const QuestionState& question : states_[i].questions)
+      step.answers.push_back(!question.shown && is_kept(question) ? question : QuestionState());
+    for (const TaskState& task : states_[i].tasks) step.tasks.push_back(task.done && !task.shown);
+    progress.steps.push_back(std::move(step));
+  }
   return progress;
 }
 

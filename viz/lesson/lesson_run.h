@@ -27,18 +27,31 @@ struct StepState {
   std::vector<QuestionState> questions;
   std::vector<TaskState> tasks;
   bool visited = false;
+  bool finished_before = false;    // in an earlier run of the program
   std::optional<Experiment> left;  // the experiment when the step was left
+};
+
+/// What is kept of a step between runs of the program. What was only shown is asked again.
+struct StepProgress {
+  std::string heading;  // tells the step where a lesson has changed; empty: not known
+  bool finished = false;
+  std::vector<QuestionState> answers;
+  std::vector<bool> tasks;  // done
+  bool operator==(const StepProgress&) const = default;
 };
 
 /// How much of a lesson is behind somebody.
 struct LessonProgress {
-  std::size_t step = 0, steps = 0, finished = 0;
+  std::size_t step = 0;  // seen last
+  std::vector<StepProgress> steps;
+  std::size_t finished() const;
   bool operator==(const LessonProgress&) const = default;
 };
 
 class LessonRun {
  public:
-  LessonRun(Lesson lesson, const Experiment& own);
+  /// At the step that was seen last, with what is known of its steps.
+  explicit LessonRun(Lesson lesson, const LessonProgress& known = {});
 
   const Lesson& lesson() const { return lesson_; }
   std::size_t index() const { return index_; }
@@ -46,14 +59,14 @@ class LessonRun {
   StepState& state() { return states_[index_]; }
   const StepState& state() const { return states_[index_]; }
   const StepState& state(std::size_t step) const { return states_[step]; }
-  /// The student's own, from before the lesson.
-  const Experiment& own() const { return own_; }
   /// What the current step began with.
   const Experiment& start() const { return start_; }
 
   /// Goes there, from a step that is left with this experiment; returns the experiment to show: as it was left, else the
   /// step's start. On an error nothing changes.
   Result<Experiment> go_to(std::size_t step, const Experiment& left);
+  /// The lesson is left with this experiment.
+  void leave(const Experiment& left) { state().left = left; }
   /// The start of the step, its answers and tasks as if never seen.
   Result<Experiment> reset_step();
   /// All steps as if never seen; at the first.
@@ -73,9 +86,10 @@ class LessonRun {
  private:
   Result<Experiment> start_of(std::size_t step, const Experiment* before) const;
   void fit_states();
+  void recall(const LessonProgress& known);
 
   Lesson lesson_;
-  Experiment own_, start_;
+  Experiment start_;
   std::size_t index_ = 0;
   std::vector<StepState> states_;
 };

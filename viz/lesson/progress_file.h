@@ -12,7 +12,8 @@ namespace psm {
 
 using ProgressByLesson = std::map<std::string, LessonProgress>;  // by the lesson's name
 
-/// An absent file is an empty one. The error says in one line what is wrong; progress then starts afresh.
+/// An absent file is an empty one. The error says in one line what is wrong; progress then starts afresh. The first version's
+/// files counted finished steps without saying which: only a lesson that was finished stays so.
 Result<ProgressByLesson> read_progress(const std::filesystem::path& file);
 
 /// Written whole or not at all.

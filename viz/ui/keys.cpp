@@ -58,9 +58,11 @@ const std::vector<KeyBinding>& key_bindings() {
       {key::f11, none, Action::present, "F11", "in front of a class: large type, no controls; Esc leaves it"},
       {key::f5, none, Action::present, "F5", "the same"},
       {key::page_down, none, Action::next_screen, "Page Down",
-       "lesson: next step; in front of a class: the answer, the next screen, or one view after the other"},
+       "lesson: next step, after the last the next lesson; in front of a class: the answer, the next screen, or one view after "
+       "the other"},
       {key::right, none, Action::next_screen, "→", "the same"},
       {key::page_up, none, Action::previous_screen, "Page Up", "the step or the view before"},
+      {key::backspace, none, Action::lesson_back, "Backspace", "lesson: back to where you followed a link to another one"},
       {key::left, none, Action::previous_screen, "←", "the same"},
       {'.', none, Action::black_screen, ".", "in front of a class: a black screen, until any key"},
       {key::enter, none, Action::show_answer, "Enter",

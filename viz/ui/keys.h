@@ -60,6 +60,7 @@ enum class Action {
   black_screen,
   show_answer,
   toggle_lesson,
+  lesson_back,
   quit
 };
 

@@ -46,7 +46,7 @@ LessonPanel::Part LessonPanel::prose_part(const Context& c, const std::string& n
 }
 
 void LessonPanel::follow(Context& c, const std::string& link) {
-  if (link.starts_with("lesson:")) c.ask(Kind::open, 0, link.substr(7));
+  if (link.starts_with("lesson:")) c.ask(Kind::follow, 0, link.substr(7));
   if (link.starts_with("set:")) c.ask(Kind::set, 0, link);
   if (link.starts_with("https:")) ImGui::SetClipboardText(link.c_str());
 }
@@ -61,8 +61,8 @@ std::vector<LessonCommand> LessonPanel::draw(UiContext& ui, const LessonSession&
                       ImGuiWindowFlags_AlwaysUseWindowPadding | flags);
   };
   constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-  const bool listed = lists_ || !session.run();
-  const int top = pane.min.y + int(std::ceil(row + padding)),
+  const bool listed = lists_ || !session.run(), leads_back = !listed && session.way_back() && session.way_back()->linked;
+  const int top = pane.min.y + int(std::ceil((leads_back ? 2.0f : 1.0f) * row + padding)),
             bottom = pane.max.y - (listed ? 0 : int(std::ceil(row + 1.5f * padding)));
   ui.places["lesson.pane"] = pane;
   child("lesson title", pane.min.y, top, still);
@@ -100,14 +100,18 @@ void LessonPanel::title_bar(Context& c) {
   if (c.button("Leave", "lesson.close")) c.ask(Kind::close);
   rest_tooltip("Leave the lesson. Your own experiment comes back.");
   ImGui::SameLine();
-  ImGui::TextDisabled("%s", c.run().lesson().title.c_str());
+  ImGui::TextDisabled("%s", numbered_title(c.run().lesson().name, c.run().lesson().title).c_str());
+  const LessonPlace* place = c.session.way_back();
+  if (!place || !place->linked) return;
+  if (c.button(("◀ Back to " + place->title).c_str(), "lesson.way_back")) c.ask(Kind::back);
+  rest_tooltip("To the step where you followed the link (Backspace).");
 }
 
 void LessonPanel::list(Context& c) {
   const float width = ImGui::GetContentRegionAvail().x, padding = ImGui::GetStyle().FramePadding.x;
   if (c.session.shipped().empty()) ImGui::TextDisabled("There are no lessons beside this program.");
   for (const LessonEntry& entry : c.session.shipped()) {
-    Prose prose = heading_prose(entry.title, 3);
+    Prose prose = heading_prose(numbered_title(entry.name, entry.title), 3);
     prose.push_back({0, 0, "", false, {{Inline::Kind::words, entry.summary, false, false, "", 0}}, 0});
     const TextPage& text = page(c, "list." + entry.name, prose, std::floor(width - 2 * padding)).page;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -124,7 +128,8 @@ void LessonPanel::list(Context& c) {
     if (begun) {
       ImGui::SetCursorScreenPos({at.x + padding, at.y + padding + float(text.height) + 0.2f * line});
       const LessonProgress& p = known->second;
-      ImGui::TextDisabled("%s %d of %d steps finished", p.finished == p.steps ? "●" : "○", int(p.finished), int(p.steps));
+      const std::size_t finished = p.finished(), steps = p.steps.size();
+      ImGui::TextDisabled("%s %d of %d steps finished", finished == steps ? "●" : "○", int(finished), int(steps));
     }
     ImGui::SetCursorScreenPos(below);
     if (chosen) lists_ = false, c.ask(Kind::open, 0, entry.name);
@@ -148,14 +153,15 @@ void LessonPanel::step(Context& c) {
 
 void LessonPanel::navigation(Context& c) {
   const std::size_t index = c.run().index(), count = c.run().lesson().steps.size();
-  const float width = 5.0f * ImGui::GetFontSize();
-  const auto go = [&](const char* label, const char* place, bool possible, std::size_t to) {
+  const bool ends = index + 1 == count && c.session.has_next_lesson();
+  const float narrow = 5.0f * ImGui::GetFontSize(), width = (ends ? 1.6f : 1.0f) * narrow;
+  const auto go = [&](const char* label, const char* place, float wide, bool possible, Kind kind, std::size_t to) {
     ImGui::BeginDisabled(!possible);
-    if (ImGui::Button(label, {width, 0})) c.ask(Kind::go_to, to);
+    if (ImGui::Button(label, {wide, 0})) c.ask(kind, to);
     ImGui::EndDisabled();
     note_place(c.ui, place);
   };
-  go("◀ Back", "lesson.back", index > 0, index - 1);
+  go("◀ Back", "lesson.back", narrow, index > 0 || c.session.way_back(), index > 0 ? Kind::go_to : Kind::back, index - 1);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::Text("%d of %d", int(index + 1), int(count));
@@ -174,7 +180,8 @@ void LessonPanel::navigation(Context& c) {
       ImGui::GetWindowDrawList()->AddCircle(middle, radius, tone, 0, i == index ? 2.0f : 1.0f);
   }
   ImGui::SetCursorPosX(right);
-  go("Next ▶", "lesson.next", index + 1 < count, index + 1);
+  go(ends ? "Next lesson ▶" : "Next ▶", "lesson.next", width, ends || index + 1 < count, ends ? Kind::next_lesson : Kind::go_to,
+     index + 1);
 }
 
 }  // namespace psm

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,10 @@ namespace psm {
 /// What a widget, a key or the command line asks of the lesson.
 struct LessonCommand {
   enum class Kind {
-    open,          // text: a shipped lesson's name or a folder, "/3" behind it for its third step
+    open,          // text: a shipped lesson's name or a folder, as somebody left it; "/3" behind it: at its third step
+    follow,        // text: the same, of a link: without "/3" at its first step
+    back,          // to where one followed a link, or came from the lesson before
+    next_lesson,   // of the shipped ones, at its first step
     close,         // the student's own experiment comes back
     go_to,         // index: of a step
     reset_step,    // its experiment, answers and tasks
@@ -40,6 +44,14 @@ struct LessonEntry {
   std::string name, title, summary;
 };
 
+/// A step of a lesson that somebody has left for another lesson.
+struct LessonPlace {
+  std::filesystem::path folder;
+  std::size_t step = 0;
+  std::string title;
+  bool linked = false;  // by a link; else at its end, for the next lesson
+};
+
 class LessonSession {
  public:
   /// `lessons`: the shipped ones' folder. `progress`: the file of what is finished; empty: none is kept.
@@ -53,7 +65,12 @@ class LessonSession {
 
   const std::vector<LessonEntry>& shipped() const { return shipped_; }
   const ProgressByLesson& progress() const { return progress_; }
-  const LessonRun* run() const { return run_ ? &*run_ : nullptr; }
+  const LessonRun* run() const { return open_ ? &open_->run : nullptr; }
+  /// The student's own experiment, from before the lesson.
+  const Experiment& own() const { return own_; }
+  /// Where `back` leads, if anywhere, and whether a shipped lesson follows the open one.
+  const LessonPlace* way_back() const { return way_back_.empty() ? nullptr : &way_back_.back(); }
+  bool has_next_lesson() const { return next_lesson() != nullptr; }
   /// The analysis at hand as live values see it.
   const JsonTree& values() const { return values_.analysis; }
   /// Grows whenever something that texts show has changed.
@@ -68,25 +85,34 @@ class LessonSession {
   double next_look(double now) const;
 
  private:
-  std::optional<Experiment> open(const std::string& name, const Model& model);
-  std::optional<Experiment> close();
+  /// A lesson that has been opened stays, so that it comes back as it was left.
+  struct Opened {
+    LessonRun run;
+    std::vector<std::filesystem::file_time_type> written;  // of its two files, when they were read
+  };
+  std::optional<Experiment> change_lesson(const LessonCommand& command, const Model& model);
+  std::optional<Experiment> open(const std::filesystem::path& folder, std::optional<std::size_t> step, const Model& model);
+  std::optional<Experiment> close(const Model& model);
+  std::filesystem::path folder_of(const std::string& name) const;
+  const LessonEntry* next_lesson() const;
   std::optional<Experiment> answer(const LessonCommand& command, const Model& model);
   std::optional<Experiment> over(const ExperimentMembers& members, const Model& model, const std::string& place);
   std::optional<Experiment> shown(Result<Experiment> experiment);
   std::optional<Experiment> read_again(const Model& model);
-  void look_at_files();
   void keep_progress();
 
   std::filesystem::path lessons_, progress_file_;
   std::vector<LessonEntry> shipped_;
   ProgressByLesson progress_;
-  std::optional<LessonRun> run_;
+  std::map<std::filesystem::path, Opened> opened_;  // by folder
+  Opened* open_ = nullptr;
+  Experiment own_;
+  std::vector<LessonPlace> way_back_;
   LessonState values_;
   std::uint64_t revision_ = 1, analysis_ = 0;  // analysis_: as Model counts them with their texels
   ViewSettings view_;
   bool unchecked_ = false;
   std::string error_;
-  std::vector<std::filesystem::file_time_type> written_;  // of the lesson's two files, when they were read
   double looked_ = 0.0;
 };
 

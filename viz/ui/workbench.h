@@ -146,6 +146,7 @@ class Workbench {
   void show_lesson_experiment(const std::optional<Experiment>& experiment);
   void toggle_lesson_pane();
   bool step_lesson(int by);
+  void lesson_way_back();
   bool key_is_free(const KeyPress& press);
   bool is_covered(ViewId id) const;
   void cover_tiles(Frame& f);

@@ -79,6 +79,8 @@ void Workbench::act(Action action) {
       return step_screen(+1);
     case Action::previous_screen:
       return step_screen(-1);
+    case Action::lesson_back:
+      return lesson_way_back();
     case Action::show_answer:
       return show_answer();
     case Action::black_screen:
@@ -181,7 +183,7 @@ void Workbench::act(Action action) {
 void Workbench::ask_to_quit() {
   wake();
   // A lesson's experiments are not the student's work: what is asked about waits behind it.
-  if (lessons_.run() ? !model_.unsaved(lessons_.run()->own()) : !model_.unsaved())
+  if (lessons_.run() ? !model_.unsaved(lessons_.own()) : !model_.unsaved())
     wants_quit_ = true;
   else if (dialogs_.shown() != Dialogs::Kind::unsaved)
     dialogs_.show(Dialogs::Kind::unsaved);

@@ -18,6 +18,12 @@ bool reveals(const LessonCommand& command) {
          command.kind == Kind::show_answer || command.kind == Kind::solve;
 }
 
+/// What brings another step, and with it an experiment that belongs to its text.
+bool enters_step(LessonCommand::Kind kind) {
+  using Kind = LessonCommand::Kind;
+  return kind == Kind::open || kind == Kind::follow || kind == Kind::back || kind == Kind::next_lesson || kind == Kind::go_to;
+}
+
 /// ImGui would now begin to use the arrow keys.
 void forget_navigation() {
   ImGuiContext& g = *ImGui::GetCurrentContext();
@@ -49,10 +55,9 @@ void Workbench::perform(const LessonCommand& command) {
   else
     show_lesson_experiment(next);
   // Undo stays within a step: its text would not fit the experiment of another. The student's own history comes back.
-  const bool other_step = command.kind == LessonCommand::Kind::open || command.kind == LessonCommand::Kind::go_to;
-  if (lessons_.run() && other_step && next) model_.replace_history({});
+  if (lessons_.run() && enters_step(command.kind) && next) model_.replace_history({});
   if (was_open && !lessons_.run()) model_.replace_history(std::exchange(own_history_, {}));
-  if (command.kind == LessonCommand::Kind::open && lessons_.run() && lessons_.error().empty()) lesson_panel_.show_list(false);
+  if (enters_step(command.kind) && lessons_.run() && lessons_.error().empty()) lesson_panel_.show_list(false);
   if (was_open && !lessons_.run()) toggle_lesson_pane();
 }
 
@@ -80,15 +85,24 @@ void Workbench::toggle_lesson_pane() {
   wake();
 }
 
-/// Whether there is a lesson to step through.
+/// To where one followed a link or came from the lesson before.
+void Workbench::lesson_way_back() {
+  if (lessons_.way_back() && settings_.layout.lesson_shown)
+    lesson_commands_.push_back({LessonCommand::Kind::back, 0, "", 0, 0.0});
+}
+
+/// Whether there is a lesson to step through. Beyond its last step is the next lesson, before its first where one came from.
 bool Workbench::step_lesson(int by) {
+  using Kind = LessonCommand::Kind;
   const LessonRun* run = lessons_.run();
   if (!run || !settings_.layout.lesson_shown || lesson_panel_.lists()) return false;
   if (presenting_ && step_stage(by)) return true;
   const std::ptrdiff_t to = std::ptrdiff_t(run->index()) + by;
-  if (to < 0 || to >= std::ptrdiff_t(run->lesson().steps.size())) return true;
+  const bool inside = to >= 0 && to < std::ptrdiff_t(run->lesson().steps.size());
+  if (!inside && !(by > 0 ? lessons_.has_next_lesson() : lessons_.way_back() != nullptr)) return true;
   if (by < 0) lesson_panel_.enter_at_end();
-  lesson_commands_.push_back({LessonCommand::Kind::go_to, std::size_t(to), "", 0, 0.0});
+  const Kind kind = inside ? Kind::go_to : by > 0 ? Kind::next_lesson : Kind::back;
+  lesson_commands_.push_back({kind, std::size_t(std::max<std::ptrdiff_t>(to, 0)), "", 0, 0.0});
   return true;
 }
 

@@ -51,6 +51,7 @@ int Workbench::bar_height(glm::ivec2 size) const {
 void Workbench::lesson_line(Frame& f) {
   const LessonRun& run = *lessons_.run();
   const Rect& bar = f.layout.badges;
+  const std::string title = numbered_title(run.lesson().name, run.lesson().title);
   const std::size_t screens = lesson_panel_.stage().begins.size();
   std::string step = "step " + std::to_string(run.index() + 1) + " of " + std::to_string(run.lesson().steps.size());
   if (screens > 1) step += "   " + std::to_string(lesson_panel_.screen() + 1) + "/" + std::to_string(screens);
@@ -59,13 +60,13 @@ void Workbench::lesson_line(Frame& f) {
   ImFont* font = ImGui::GetFont();
   const float size = float(least_stage_type(f.size.y)), edge = size, room = float(bar.size().x) - 2.0f * edge;
   const auto width_of = [&](const std::string& text, float px) { return font->CalcTextSizeA(px, 1e9f, 0.0f, text.c_str()).x; };
-  const float px = std::min(size, size * room / (width_of(run.lesson().title, size) + size + width_of(step, size)));
+  const float px = std::min(size, size * room / (width_of(title, size) + size + width_of(step, size)));
   const auto write = [&](float x, const std::string& text, const std::string& place) {
     const float y = float(bar.min.y) + std::floor(0.5f * (float(bar.size().y) - px));
     ImGui::GetWindowDrawList()->AddText(font, px, {std::floor(x), y}, text_color(), text.c_str());
     places_[place] = {{int(x), int(y)}, {int(std::ceil(x + width_of(text, px))), int(std::ceil(y + px))}};
   };
-  write(float(bar.min.x) + edge, run.lesson().title, "bar.title");
+  write(float(bar.min.x) + edge, title, "bar.title");
   write(float(bar.max.x) - edge - width_of(step, px), step, "bar.step");
   const Rect between{{places_["bar.title"].max.x, bar.min.y}, {places_["bar.step"].min.x, bar.max.y}};
   if (width_of(light.text, px) + 4.0f * px < float(between.size().x))
