@@ -9,6 +9,7 @@ namespace {
 
 // Pixels at scale 1.
 constexpr double kInset = 8.0, kPadding = 6.0, kSwatchWidth = 22.0, kGap = 4.0, kEntryGap = 10.0, kLineGap = 4.0, kHatch = 7.0;
+constexpr double kLowView = 420.0;  // where lines of text go on beside each other: height is what it lacks
 constexpr float kPlateOpacity = 0.92f, kRimOpacity = 0.16f, kSwatchRim = 0.5f;
 
 struct Item {
@@ -18,13 +19,16 @@ struct Item {
   const std::string* text = nullptr;
 };
 
-/// Items in reading order: heading, colours one after the other, numbers; returns the extent.
-glm::dvec2 flow(std::vector<Item>& items, double scale, double width) {
+/// Items in reading order: heading, colours one after the other, numbers, each on a line of its own unless `low`; returns the
+/// extent.
+glm::dvec2 flow(std::vector<Item>& items, double scale, double width, bool low) {
   glm::dvec2 pen(0.0), extent(0.0);
   double row = 0.0;
   const Item* before = nullptr;
   for (Item& item : items) {
-    const bool goes_on = before && before->entry && item.entry && pen.x + item.size.x <= width;
+    const bool alike = before && !before->entry == !item.entry && (item.entry || low);
+    if (alike && !item.entry) pen.x += kEntryGap * scale;
+    const bool goes_on = alike && pen.x + item.size.x <= width;
     if (before && !goes_on) pen = {0.0, pen.y + row + kLineGap * scale}, row = 0.0;
     item.at = pen;
     pen.x += item.size.x + kEntryGap * scale;
@@ -68,7 +72,7 @@ Flowed flowed(const Legend& legend, const PictureFrame& frame, const TextSize& t
     out.items.push_back({{}, {swatch + gap + size.x, size.y}, size, &entry, &entry.text});
   }
   for (const std::string& line : out.tail) add_text(line);
-  out.plate = flow(out.items, s, width) + 2.0 * kPadding * s;
+  out.plate = flow(out.items, s, width, frame.size.y < kLowView * s) + 2.0 * kPadding * s;
   return out;
 }
 

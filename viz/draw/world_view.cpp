@@ -103,7 +103,7 @@ class WorldView {
 
   /// What the map covers: the cube of map clip space, pulled back; its edges near the scene, and its part of S as a body.
   void map_window() {
-    if (!analysis_.map_from_world) return;
+    if (!analysis_.map_from_world || analysis_.depth_body.empty()) return;
     const glm::dmat4& map_from_world = *analysis_.map_from_world;
     const glm::dmat4 world_from_map = glm::inverse(map_from_world);
     std::array<glm::dvec4, 8> corners;
