@@ -10,7 +10,7 @@
 
 namespace psm {
 
-/// "λ (logarithmic)": for menus and titles.
+/// "λ(θ), logarithmic": for menus and titles.
 const char* display_name(CurveKind kind);
 
 /// Its colour in every plot; the family has the colour, the member the dashes.

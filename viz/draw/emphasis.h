@@ -7,8 +7,8 @@
 namespace psm {
 
 struct Emphasis {
-  std::vector<Role>
-      strong;  // lines and bodies stronger, those of others fainter; what has no role of its own stays. None: no change
+  /// Lines and bodies of these stronger, those of others fainter; what has no role of its own stays. None: no change.
+  std::vector<Role> strong;
   std::vector<Role> hidden;  // left out
   bool operator==(const Emphasis&) const = default;
 };

@@ -95,7 +95,8 @@ std::vector<float> texel_sizes(const VisibleImage& image, const Analysis& analys
   for_each_row(image.height, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(image.width), end = first + std::size_t(image.width);
     for (std::size_t i = first; i < end; ++i)
-      if (image.sees(i) && in_light(image.points[i], light, x, tangent)) m[i] = float(footprint_at(analysis, image.points[i], {image.width, image.height}).m);
+      if (image.sees(i) && in_light(image.points[i], light, x, tangent))
+        m[i] = float(footprint_at(analysis, image.points[i], {image.width, image.height}).m);
   });
   return m;
 }

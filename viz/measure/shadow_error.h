@@ -39,7 +39,8 @@ std::vector<Lit> trace_light(const RayTracer& tracer, const VisibleImage& image,
 /// nothing where there are none.
 std::optional<double> lit_difference(const std::vector<float>& fractions, const MapReading& map);
 
-/// m in pixels of the image's own size; 0 where nothing is seen or the surface faces away, infinite where it holds the light ray.
+/// m in pixels of the image's own size, for every pixel in the light or in a shadow; 0 where nothing is seen, where the surface
+/// faces away from the light, and outside a spot's cone; infinite where the surface holds the light ray.
 std::vector<float> texel_sizes(const VisibleImage& image, const Analysis& analysis);
 
 /// Over the pixels with m > 0; nothing where there are none. An infinite m counts as undersampled and as the largest.

@@ -121,9 +121,9 @@ std::vector<Badge> badges(const Model& model, double views_ms, const std::string
   return out;
 }
 
-// Not by what the badges say now: the views must not change their size while one drags.
 int badge_line_height() { return int(line_height()); }
 
+// Not by what the badges say now: the views must not change their size while one drags.
 int badge_bar_height(int width) {
   const int lines = float(width) < 80.0f * ImGui::GetFontSize() ? 2 : 1;
   return lines * int(line_height());

@@ -25,7 +25,7 @@ std::vector<Badge> badges(const Model& model, double views_ms, const std::string
 /// must. Returns the name of the one that was clicked, else "".
 std::string badge_bar(UiContext& ui, const std::vector<Badge>& badges, const Rect& bar);
 
-/// Two lines in narrow windows, else one.
+/// In pixels: two lines in windows of a small width, else one.
 int badge_bar_height(int width);
 int badge_line_height();
 

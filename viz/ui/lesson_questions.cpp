@@ -32,8 +32,8 @@ std::string verdict_words(const Question& question, const QuestionState& state) 
   const std::string truth = shown_number(state.truth) + " " + question.unit;
   if (state.shown) return question.kind == Question::Kind::number ? "● It is " + truth : "● The right answer is marked.";
   const bool right = is_right(question, state);
-  std::string words = predicts(question) ? (right ? "● As you predicted." : "○ Not as you predicted.")
-                                         : (right ? "● Right." : "○ Not quite.");
+  std::string words =
+      predicts(question) ? (right ? "● As you predicted." : "○ Not as you predicted.") : (right ? "● Right." : "○ Not quite.");
   if (question.kind == Question::Kind::number) words += " You said " + shown_number(*state.number) + ", it is " + truth;
   return words;
 }

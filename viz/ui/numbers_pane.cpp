@@ -143,8 +143,8 @@ std::vector<NumberLine> number_lines(const Analysis& a) {
       {"H decided exactly", exact_count(a.caster_body),
        "Signs that doubles with an error bound could not decide, of all signs that made H."},
       {"m, median", texel_value(a, &TexelStatistics::m_p50),
-       "Largest extent of a texel in pixels, over the pixels that face the light: half are finer. A grid of them stands for all unless the eye "
-       "view shows texels."},
+       "Largest extent of a texel in pixels, over the pixels that face the light: half are finer. A grid of them stands for all "
+       "unless the eye view shows texels or the lesson speaks of them."},
       {"m, 95 %", texel_value(a, &TexelStatistics::m_p95), "The same: 95 of 100 points are finer."},
       {"m, largest", texel_value(a, &TexelStatistics::m_max), "The same: the coarsest."},
       {"m > 1", a.texels ? shown_number(100.0 * a.texels->undersampled_fraction, 3) + " %" : absent,

@@ -13,10 +13,9 @@ bool computes(const FrameProfile& frame) {
 }  // namespace
 
 const char* name_of(Stage stage) {
-  constexpr const char* names[kStages] = {"visible points", "analysis",           "scene upload",    "shadow map",
-                                          "truth (rays)",   "world view",      "cube view",
-                                          "map view",       "eye view",           "body view",       "curves",
-                                          "explorer",       "technique B", "all texels", "gain of the fit", "interface"};
+  constexpr const char* names[kStages] = {
+      "visible points", "analysis",  "scene upload", "shadow map", "truth (rays)", "world view", "cube view",       "map view",
+      "eye view",       "body view", "curves",       "explorer",   "technique B",  "all texels", "gain of the fit", "interface"};
   return names[std::size_t(stage)];
 }
 

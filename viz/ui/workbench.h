@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window's contents: four views, the control pane, the badges. The real window and the tests run the same frame().
+// The window's contents: the lesson, one to four views, the control pane, the badges. The real window and the tests run the same
+// frame().
 #pragma once
 
 #include <array>
