@@ -204,8 +204,6 @@ Result<std::unique_ptr<StudyRunner>> StudyRunner::create(const Study& study) {
 StudyRunner::StudyRunner(std::unique_ptr<State> state) : state_(std::move(state)) {}
 StudyRunner::~StudyRunner() = default;
 
-const std::string& StudyRunner::study_fingerprint() const { return state_->print; }
-
 StudyRow StudyRunner::measure(std::size_t index) {
   State& s = *state_;
   const StudyRun& run = s.study.runs[index];

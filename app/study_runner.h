@@ -19,8 +19,6 @@ class StudyRunner {
   /// Runs that share scene and light one after another share their truth.
   StudyRow measure(std::size_t run);
 
-  const std::string& study_fingerprint() const;
-
  private:
   struct State;
   explicit StudyRunner(std::unique_ptr<State> state);

@@ -108,12 +108,6 @@ const std::array<std::array<int, 2>, 12>& box_edges() {
   return edges;
 }
 
-const std::array<std::array<int, 4>, 6>& box_faces() {
-  static constexpr std::array<std::array<int, 4>, 6> faces{
-      {{0, 1, 2, 3}, {5, 4, 7, 6}, {4, 0, 3, 7}, {1, 5, 6, 2}, {4, 5, 1, 0}, {3, 2, 6, 7}}};
-  return faces;
-}
-
 std::array<glm::dvec3, 8> cube_corners() {
   std::array<glm::dvec3, 8> corners;
   for (int i = 0; i < 8; ++i) corners[i] = {i % 4 == 1 || i % 4 == 2 ? 1.0 : -1.0, i % 4 >= 2 ? 1.0 : -1.0, i < 4 ? -1.0 : 1.0};

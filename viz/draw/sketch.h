@@ -77,8 +77,6 @@ std::vector<std::array<int, 2>> body_edges(const ConvexBody& body);
 
 /// Corner pairs of a box or frustum whose corners run (-,-) (+,-) (+,+) (-,+), near then far: four near, four far, four sides.
 const std::array<std::array<int, 2>, 12>& box_edges();
-/// Its six faces, counter-clockwise from outside in a left-handed picture of the box, such as the unit cube seen by the eye.
-const std::array<std::array<int, 4>, 6>& box_faces();
 /// The corners of [-1, 1]^3 in that order.
 std::array<glm::dvec3, 8> cube_corners();
 

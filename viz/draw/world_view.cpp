@@ -192,10 +192,12 @@ class WorldView {
     const glm::dvec3 towards = glm::dvec3(analysis_.light) - analysis_.light.w * center;
     const glm::dvec3 in_plane = safe_normalize(towards - glm::dot(towards, n) * n);
     const glm::dvec3 v = in_plane == glm::dvec3(0.0) ? perpendicular(n) : in_plane, u = glm::cross(v, n);
-    plane_patch(center, 0.3 * radius_ * u, 0.3 * radius_ * v);
+    const bool used = shown == analysis_.vanishing_plane;
+    plane_patch(center, 0.3 * radius_ * u, 0.3 * radius_ * v,
+                used ? "vanishing plane c = 0" : "vanishing plane: not usable here");
   }
 
-  void plane_patch(const glm::dvec3& center, const glm::dvec3& u, const glm::dvec3& v) {
+  void plane_patch(const glm::dvec3& center, const glm::dvec3& u, const glm::dvec3& v, const char* name) {
     const std::vector<glm::dvec3> corners{center - u - v, center + u - v, center + u + v, center - u + v};
     std::vector<glm::dvec4> polygon;
     for (const glm::dvec3& p : corners) polygon.push_back(at(p));
@@ -209,9 +211,7 @@ class WorldView {
       sketch_.line(center - u + t * v, center + u + t * v, pen);
     }
     sketch_.point(center, Role::vanishing_plane, 4.5);
-    const bool used = shown_vanishing_plane(analysis_) == analysis_.vanishing_plane;
-    sketch_.label(view_.furthest(corners, {0.0, 1.0}), used ? "vanishing plane c = 0" : "vanishing plane: not usable here",
-                  Role::vanishing_plane, 7);
+    sketch_.label(view_.furthest(corners, {0.0, 1.0}), name, Role::vanishing_plane, 7);
   }
 
   /// A lamp stands where it is, unless that is too far away to be shown; then, like a sun, at the picture's edge.

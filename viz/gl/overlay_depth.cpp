@@ -49,7 +49,13 @@ void OverlayDepth::attach(const MultisampleTarget& scene, const ViewTarget& targ
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+void OverlayDepth::leave_out(const ViewTarget& target) {
+  size_ = {0, 0};
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+}
+
 std::vector<float> OverlayDepth::read() const {
+  if (size_.x == 0) return {};
   // ES 3.0 reads neither depth nor float textures back, but it reads unsigned integers: the bits of the floats.
   const Framebuffer framebuffer;
   const Renderbuffer bits;

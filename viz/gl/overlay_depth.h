@@ -18,7 +18,10 @@ class OverlayDepth {
   /// Takes the lower left `size` pixels of `scene` and gives `target` its depth; `target` is bound afterwards.
   void attach(const MultisampleTarget& scene, const ViewTarget& target);
 
-  /// In [0, 1], rows top to bottom: of what was attached last.
+  /// Binds `target` for what needs no depth.
+  void leave_out(const ViewTarget& target);
+
+  /// In [0, 1], rows top to bottom: of what was attached last; empty where it was left out.
   std::vector<float> read() const;
 
  private:

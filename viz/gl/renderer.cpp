@@ -134,7 +134,7 @@ std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& an
   s.list_pass.draw_fills(picture, frame);
   target.resolve_from(s.multisample);
   if (picture.list.lines.empty() && picture.list.points.empty())
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+    s.overlay_depth.leave_out(target);
   else
     s.overlay_depth.attach(s.multisample, target);
   s.list_pass.draw_lines_and_labels(picture, frame);

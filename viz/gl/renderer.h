@@ -48,7 +48,7 @@ class Renderer {
   Image read_view(ViewId id);
 
   /// The depth that lines over what draw_view drew last were tested against, in [0, 1], rows top to bottom, of the size that it
-  /// was drawn in.
+  /// was drawn in; empty where it had neither lines nor points.
   std::vector<float> read_overlay_depth();
 
   /// What the map that was drawn last says at each pixel of the eye's image, width x height, rows top to bottom, whichever way

@@ -21,14 +21,12 @@ class History {
 
   /// The button was released or the widget let go. Drops the entry if the gesture came back to where it began.
   void end_gesture(const Experiment& current);
-  bool in_gesture() const { return open_; }
 
   /// The experiment to go to; nothing at the end of the list.
   std::optional<Experiment> undo(const Experiment& current);
   std::optional<Experiment> redo(const Experiment& current);
 
   std::size_t undo_count() const { return past_.size(); }
-  std::size_t redo_count() const { return future_.size(); }
 
  private:
   std::vector<Experiment> past_, future_;
