@@ -9,6 +9,7 @@
 
 #include "app/film.h"
 #include "app/numbers.h"
+#include "app/progress.h"
 #include "scene/control.h"
 
 namespace psm {
@@ -66,6 +67,7 @@ Result<Sheet> sheet_at(const Sheet& sheet, const PictureSweep& sweep, double val
 std::optional<InputError> write_frames(SheetPainter& painter, const Sheet& sheet, const PictureSweep& sweep,
                                        const fs::path& folder, const std::string& extension) {
   for (std::size_t i = 0; i < sweep.values.size(); ++i) {
+    if (Interruptible::asked()) return InputError{"interrupted: nothing is written"};
     const auto frame = sheet_at(sheet, sweep, sweep.values[i]);
     if (!frame) return frame.error();
     const fs::path file = folder / numbered("frame", i, extension);
@@ -89,6 +91,7 @@ std::optional<InputError> move_frames(const fs::path& folder, std::size_t count,
 }
 
 std::optional<InputError> write_sweep(SheetPainter& painter, const Sheet& sheet, const PictureSweep& sweep, const fs::path& out) {
+  const Interruptible interruptible;  // the frames so far must not stay
   const FrameFolder frames(out);
   if (frames.error)
     return InputError{out.string() + ": cannot be written: " + frames.error.message() +

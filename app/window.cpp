@@ -10,11 +10,13 @@
 #include <cctype>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "app/assets.h"
 #include "app/window_picture.h"
 #include "figure/png.h"
+#include "scene/share_text.h"
 #include "ui/host.h"
 
 namespace psm {
@@ -97,6 +99,7 @@ class App {
   void wait();
   void ask_before_closing();
   void draw();
+  void draw_or_rescue();
   void fill_screen_while_presenting();
   glm::dvec2 framebuffer_point(double x, double y) const;
   static WorkbenchOptions options(const WindowStart& start);
@@ -226,13 +229,23 @@ void App::ask_before_closing() {
   if (!workbench_.wants_quit() && glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) glfwRestoreWindow(window_);
 }
 
+/// What fails for good leaves the experiment behind as a line to paste.
+void App::draw_or_rescue() {
+  try {
+    draw();
+  } catch (const std::exception& error) {
+    const Model& model = workbench_.model();
+    throw std::runtime_error(std::string(error.what()) + "; the experiment was " + share_text(model.experiment(), model.scene()));
+  }
+}
+
 void App::run() {
   while (!workbench_.wants_quit()) {
     wait();
     ask_before_closing();
     fill_screen_while_presenting();
     const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
-    if (!minimised && (workbench_.needs_redraw() || !input_.empty())) draw();
+    if (!minimised && (workbench_.needs_redraw() || !input_.empty())) draw_or_rescue();
   }
 }
 

@@ -32,6 +32,23 @@ TEST(LegendLayout, TakesAtMostAQuarterOfAnyViewOrHalfForTheColorsAlone) {
   }
 }
 
+TEST(LegendLayout, BlanksInARowBreakNoLine) {
+  EXPECT_EQ(broken_lines("a  b ", 1.0, text_size), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(broken_lines("ab cd", 100.0, text_size), std::vector<std::string>{"ab cd"});
+}
+
+TEST(LegendLayout, ALowViewHasNumbersBesideEachOther) {
+  const auto plate_of = [&](double height) {
+    std::vector<TextBox> texts;
+    std::vector<Plate> plates;
+    std::vector<Mark> marks;
+    lay_out_legend(heat_map(), {{1000, height}, 1.0, Theme::light}, text_size, texts, plates, marks);
+    return plates.front().size;
+  };
+  EXPECT_LT(plate_of(400).y, plate_of(800).y);
+  EXPECT_LE(plate_of(400).x, 1000.0);
+}
+
 TEST(LegendLayout, NumbersGoFirstThenTheHeadingAndColorsLast) {
   const auto texts_at = [](int width) {
     std::vector<TextBox> texts;

@@ -153,6 +153,16 @@ TEST(ABrokenText, NamesItsLineAndWhatIsAllowed) {
   }
 }
 
+TEST(AText, MayBeginWithTheMarkOfUtf8) { EXPECT_EQ(first_fault(kGoodJson, "\xEF\xBB\xBF" + std::string(kGoodText)), ""); }
+
+TEST(AStepsNumber, CountsFromOne) {
+  std::string third = "a/3", none = "a/0";
+  EXPECT_EQ(take_lesson_step(third), 2u);
+  EXPECT_EQ(third, "a");
+  take_lesson_step(none);
+  EXPECT_EQ(none, "a/0") << "a name that no lesson has";
+}
+
 TEST(AMissingFile, IsNamed) {
   const LessonFolder folder;
   std::filesystem::remove(folder.path() / "text.md");

@@ -180,6 +180,7 @@ TEST_F(LessonProgressTest, ADamagedFileIsOneLineAndStartsAfresh) {
   EXPECT_THAT(session.error(), HasSubstr("; progress starts afresh"));
   EXPECT_THAT(session.error(), Not(HasSubstr("\n")));
   EXPECT_TRUE(session.progress().empty());
+  EXPECT_TRUE(fs::exists(kept.string() + ".damaged")) << "for a hand that can mend it";
 }
 
 }  // namespace

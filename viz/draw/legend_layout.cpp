@@ -95,10 +95,11 @@ std::vector<std::string> broken_lines(const std::string& text, double width, con
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at + 1), text.size());
     const std::string word = text.substr(at, end - at);
-    if (!lines.back().empty() && text_size(lines.back() + word).x > width)
-      lines.push_back(word.substr(word.find_first_not_of(' ')));
-    else
+    const std::size_t letter = word.find_first_not_of(' ');  // none in blanks that follow each other
+    if (lines.back().empty() || text_size(lines.back() + word).x <= width)
       lines.back() += word;
+    else if (letter != std::string::npos)
+      lines.push_back(word.substr(letter));
     at = end;
   }
   return lines;

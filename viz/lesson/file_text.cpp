@@ -41,6 +41,7 @@ Result<std::string> read_text_file(const fs::path& file) {
   stream.read(text.data(), std::streamsize(text.size()));
   text.resize(std::size_t(stream.gcount()));
   if (text.size() > kMost) return InputError{name + ": larger than 1 MiB; allowed: up to 1 MiB"};
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // some editors' mark of UTF-8
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = character_length(text, at);
     if (length == 0) {

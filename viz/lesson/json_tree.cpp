@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kDeepest = 16;
+constexpr std::size_t kDeepest = 16, kMostMembers = 1000;
 
 /// Reads the text and says how far the parser has come.
 struct CountingIterator {
@@ -41,7 +41,7 @@ struct CountingIterator {
 /// Builds the tree from the parser's events.
 class Builder : public nlohmann::json_sax<json> {
  public:
-  Builder(const std::string& text, const char* const& farthest) : begin_(text.data()), farthest_(farthest) {}
+  Builder(const std::string& text, const char* const& farthest) : counted_to_(text.data()), farthest_(farthest) {}
 
   JsonTree root;
   std::string error;  // with its line, once something was refused
@@ -68,6 +68,7 @@ class Builder : public nlohmann::json_sax<json> {
   bool end_array() override { return close(); }
   bool key(string_t& name) override {
     JsonTree& object = *open_.back();
+    if (object.names.size() == kMostMembers) return refuse("more than 1000 members; allowed: up to 1000");
     if (object.find(name)) return refuse(quotable(name) + ": given twice; allowed: once");
     object.names.push_back(name);
     return true;
@@ -79,9 +80,11 @@ class Builder : public nlohmann::json_sax<json> {
 
  private:
   /// The line of the last character read: the token's own, or the one that ends a number.
-  int line() const {
-    const char* last = farthest_ > begin_ ? farthest_ - 1 : begin_;
-    return 1 + int(std::count(begin_, last, '\n'));
+  int line() {
+    const char* last = farthest_ > counted_to_ ? farthest_ - 1 : counted_to_;
+    line_ += int(std::count(counted_to_, last, '\n'));
+    counted_to_ = last;
+    return line_;
   }
   bool refuse(const std::string& what) {
     if (error.empty()) error = std::to_string(line()) + ": " + what;
@@ -107,7 +110,8 @@ class Builder : public nlohmann::json_sax<json> {
   }
   bool close() { return open_.pop_back(), true; }
 
-  const char* begin_;
+  const char* counted_to_;
+  int line_ = 1;  // there
   const char* const& farthest_;
   std::vector<JsonTree*> open_;  // a node's address holds while it is the last of its parent
 };

@@ -296,8 +296,10 @@ std::size_t take_lesson_step(std::string& name) {
   if (slash == std::string::npos || slash == 0) return 0;
   const std::string digits = name.substr(slash + 1);
   if (digits.empty() || digits.size() > 3 || digits.find_first_not_of("0123456789") != std::string::npos) return 0;
+  const int number = std::stoi(digits);
+  if (number == 0) return 0;  // steps count from 1: the whole is a name, which is nobody's
   name.erase(slash);
-  return std::size_t(std::max(1, std::stoi(digits))) - 1;
+  return std::size_t(number) - 1;
 }
 
 std::string numbered_title(const std::string& name, const std::string& title) {

@@ -163,10 +163,13 @@ class Gatherer {
   bool follows_backslash(const char* text) const { return in_source(text) && text > source_.data() && text[-1] == '\\'; }
   void move_to(const char* text) {
     if (!in_source(text)) return;  // a constant of the parser, such as the blank at a line's end
-    line_ = 1 + int(std::count(source_.data(), text, '\n'));
+    if (text < counted_to_) counted_to_ = source_.data(), line_ = 1;  // pieces come almost in order
+    line_ += int(std::count(counted_to_, text, '\n'));
+    counted_to_ = text;
   }
 
   const std::string& source_;
+  const char* counted_to_ = source_.data();  // the line of which is line_
   int line_ = 1, quotes_ = 0, emphasis_ = 0, strong_ = 0;
   bool open_ = false, begin_run_ = true, marker_pending_ = false, display_ = false;
   std::string link_, refused_;

@@ -64,10 +64,15 @@ LessonSession::LessonSession(fs::path lessons, fs::path progress)
   }
   if (progress_file_.empty()) return;
   auto known = read_progress(progress_file_);
-  if (known)
+  if (known) {
     progress_ = std::move(*known);
-  else
-    error_ = known.error().text + "; progress starts afresh";
+    return;
+  }
+  // What a hand could still mend is not written over.
+  const fs::path kept = progress_file_.string() + ".damaged";
+  std::error_code error;
+  fs::rename(progress_file_, kept, error);
+  error_ = known.error().text + "; progress starts afresh" + (error ? "" : ", the file is kept as " + kept.filename().string());
 }
 
 std::optional<Experiment> LessonSession::perform(const LessonCommand& command, const Model& model) {
