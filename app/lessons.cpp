@@ -28,9 +28,8 @@ std::vector<std::string> names_of(const std::vector<fs::path>& folders) {
 /// The folder that a FILE means; nothing where there is none.
 Result<fs::path> lesson_folder(const std::string& file) {
   std::error_code error;
-  const fs::path path = file;
-  if (path.filename() == "lesson.json" || path.filename() == "text.md")
-    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path path = lesson_folder_of(file);
+  if (path != fs::path(file)) return path;
   if (fs::is_directory(path, error)) return path;
   const fs::path shipped = lessons_folder() / path;
   if (!file.empty() && path.is_relative() && fs::exists(shipped / "lesson.json", error)) return shipped;

@@ -29,6 +29,8 @@ Plot example() {
   return plot;
 }
 
+TEST(XmlText, HasNoControlCharacters) { EXPECT_EQ(xml_text("a\x01<b>\n\"&"), "a &lt;b&gt;\n&quot;&amp;"); }
+
 TEST(Svg, IsWellFormedAndHoldsItsText) {
   const std::string svg = plot_svg(example(), true);
   EXPECT_EQ(unclosed_tags(svg), "");

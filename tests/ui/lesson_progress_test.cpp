@@ -88,6 +88,17 @@ TEST_F(LessonProgressTest, ALessonThatWasLeftComesBackAsItWas) {
   EXPECT_EQ(bench_->experiment(), own);
 }
 
+TEST_F(LessonProgressTest, AFileOfALessonMeansItsFolder) {
+  Model model = bench_->work().model();
+  LessonSession session(lessons_.path(), {});
+  const std::string file = (lessons_.path() / "07_second" / "lesson.json").string();
+  for (const std::string& asked : {file, file + "/2"}) {
+    EXPECT_TRUE(session.perform({LessonCommand::Kind::open, 0, asked, 0, 0.0}, model)) << session.error();
+    EXPECT_EQ(session.run()->lesson().name, "07_second");
+  }
+  EXPECT_EQ(session.run()->index(), 1u);
+}
+
 TEST_F(LessonProgressTest, ALinkOpensTheFirstStepAndThereIsAWayBack) {
   open("07_second");
   bench_->key(key::page_down);

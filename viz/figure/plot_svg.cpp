@@ -183,6 +183,8 @@ std::string levels_svg(const Plot& plot, const Frame& frame) {
 }  // namespace
 
 std::string xml_text(const std::string& text) {
+  // XML has no control characters but these.
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' && c != '\r'; };
   std::string out;
   for (const char c : text) {
     if (c == '&')
@@ -194,7 +196,7 @@ std::string xml_text(const std::string& text) {
     else if (c == '"')
       out += "&quot;";
     else
-      out += c;
+      out += is_control(c) ? ' ' : c;
   }
   return out;
 }

@@ -111,6 +111,9 @@ struct Lesson {
   std::vector<Step> steps;
 };
 
+/// The lesson's folder, where one of its two files was given; else what was given.
+std::filesystem::path lesson_folder_of(const std::filesystem::path& given);
+
 /// Errors start with file and line: ".../lesson.json:12: steps.0.views: ...".
 Result<Lesson> read_lesson(const std::filesystem::path& folder);
 

@@ -291,6 +291,11 @@ Result<Lesson> read_lesson(const fs::path& folder) {
   return lesson;
 }
 
+fs::path lesson_folder_of(const fs::path& given) {
+  if (given.filename() != "lesson.json" && given.filename() != "text.md") return given;
+  return given.has_parent_path() ? given.parent_path() : fs::path(".");
+}
+
 std::size_t take_lesson_step(std::string& name) {
   const std::size_t slash = name.rfind('/');
   if (slash == std::string::npos || slash == 0) return 0;

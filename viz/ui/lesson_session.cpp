@@ -132,7 +132,7 @@ std::optional<Experiment> LessonSession::change_lesson(const LessonCommand& comm
   const std::size_t step = take_lesson_step(name);
   if (command.kind == Kind::open) {
     const bool as_left = name == command.text;
-    auto shown = open(folder_of(name), as_left ? std::nullopt : std::optional(step), model);
+    auto shown = open(folder_of(lesson_folder_of(name).string()), as_left ? std::nullopt : std::optional(step), model);
     if (shown) way_back_.clear();
     return shown;
   }
