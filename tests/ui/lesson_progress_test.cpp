@@ -89,7 +89,7 @@ TEST_F(LessonProgressTest, ALessonThatWasLeftComesBackAsItWas) {
 }
 
 TEST_F(LessonProgressTest, AFileOfALessonMeansItsFolder) {
-  Model model = bench_->work().model();
+  const Model& model = bench_->work().model();
   LessonSession session(lessons_.path(), {});
   const std::string file = (lessons_.path() / "07_second" / "lesson.json").string();
   for (const std::string& asked : {file, file + "/2"}) {
