@@ -196,7 +196,10 @@ class ExplorerView {
       text(low, "order reversed", Role::light_inverted, {0.5, 1.0});
     }
     text(high, "point light, order kept", Role::light_point, {0.5, 1.0});
-    text({map_.middle.x + 6.0, map_.min.y + 2.0}, "camera plane, w = 0: directional", Role::infinity, {0.0, 0.0});
+    const dvec2 beside(map_.middle.x + 6.0, map_.min.y + 2.0);
+    const bool wide = map_.max.x - beside.x > 250.0;  // room for one line; beyond the map stand the light's numbers
+    text(beside, wide ? "camera plane, w = 0: directional" : "camera plane,", Role::infinity, {0.0, 0.0});
+    if (!wide) text(beside + dvec2(0.0, kLine), "w = 0: directional", Role::infinity, {0.0, 0.0});
   }
 
   void section(const ConvexBody& body, Role role, double alpha, LineStyle style) {
