@@ -27,7 +27,7 @@ bool is_kept(const QuestionState& state) { return !state.number || (std::isfinit
 }  // namespace
 
 std::size_t LessonProgress::finished() const {
-  return std::size_t(std::count_if(steps.begin(), steps.end(), [](const StepProgress& step) { return step.finished; }));
+  return std::size_t(std::count_if(steps.begin(), steps.end(), [](const StepProgress& known) { return known.finished; }));
 }
 
 LessonRun::LessonRun(Lesson lesson, const LessonProgress& known) : lesson_(std::move(lesson)) {

@@ -49,14 +49,14 @@ void Workbench::perform(const LessonCommand& command) {
   finish_reveal();
   lesson_panel_.stop();
   const auto next = lessons_.perform(command, model_);
-  if (!was_open && lessons_.run()) own_history_ = model_.replace_history({});
+  if (!was_open && lessons_.run()) own_history_ = model_.replace_history(History());
   if (next && reveals(command))
     play_reveal(*next);
   else
     show_lesson_experiment(next);
   // Undo stays within a step: its text would not fit the experiment of another. The student's own history comes back.
-  if (lessons_.run() && enters_step(command.kind) && next) model_.replace_history({});
-  if (was_open && !lessons_.run()) model_.replace_history(std::exchange(own_history_, {}));
+  if (lessons_.run() && enters_step(command.kind) && next) model_.replace_history(History());
+  if (was_open && !lessons_.run()) model_.replace_history(std::exchange(own_history_, History()));
   if (enters_step(command.kind) && lessons_.run() && lessons_.error().empty()) lesson_panel_.show_list(false);
   if (was_open && !lessons_.run()) toggle_lesson_pane();
 }
