@@ -51,7 +51,9 @@ TEST(CurveRelief, EveryOutputDrawsItsFillsInTheirOrder) {
     EXPECT_TRUE(fill.covers);
     EXPECT_GT(area(fill), 0.0) << "one winding";
     EXPECT_LT(std::abs(fill.corners[0].z), 1.0);
-    if (i > 0) EXPECT_LT(fill.corners[0].z, list.fills[i - 1].corners[0].z);
+    if (i > 0) {
+      EXPECT_LT(fill.corners[0].z, list.fills[i - 1].corners[0].z);
+    }
     for (const glm::dvec4& corner : fill.corners) {
       EXPECT_TRUE(corner.x > 0.0 && corner.x < kPage.x && corner.y > 0.0 && corner.y < kPage.y);
       EXPECT_EQ(corner.z, fill.corners[0].z);

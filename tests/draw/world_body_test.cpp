@@ -45,7 +45,9 @@ TEST(WorldBody, MOfADirectionalLightEndsWhereTheViewDoes) {
         world({"light.type=directional", "light.to_light=0.3,1,0.2", std::string("camera.far=") + far, "view.world_body=M"});
     EXPECT_TRUE(has_label(list, "M")) << far;
     for (const DrawLine& line : list.lines)
-      if (line.role == Role::caster_body) EXPECT_LT(glm::length(glm::dvec3(line.a)), 1e3) << far;
+      if (line.role == Role::caster_body) {
+        EXPECT_LT(glm::length(glm::dvec3(line.a)), 1e3) << far;
+      }
   }
 }
 
