@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The map's texels in the picture. As it is: a colour for the largest extent m of a texel in pixels, or for its anisotropy, from the
 // analytic Jacobian d(texel)/d(pixel) in the triangle's plane (viz/math/texel_footprint.h has the derivation).
-// GRID: every u_step-th line between texels, to be blended over the scene. MAY_DISCARD: as in scene.frag.
+// GRID: every u_step-th line between texels, to be blended over the scene. MAY_DISCARD, TEXTURED, COLORED: as in scene.frag.
 in vec3 v_position;
 in vec3 v_normal;
 in vec2 v_texcoord;
 in vec4 v_color;
 
 uniform sampler2D u_texture;
-uniform bool u_textured;
 uniform vec4 u_base_color;
 uniform float u_alpha_cutoff;
 uniform bool u_has_surface;
@@ -130,9 +129,14 @@ void shade() {
 
 void main() {
 #ifdef MAY_DISCARD
-  vec4 albedo = u_base_color * v_color;
-  if (u_textured) albedo *= texture(u_texture, v_texcoord);
-  if (albedo.a < u_alpha_cutoff) discard;
+  float alpha = u_base_color.a;
+#ifdef COLORED
+  alpha *= v_color.a;
+#endif
+#ifdef TEXTURED
+  alpha *= texture(u_texture, v_texcoord).a;
+#endif
+  if (alpha < u_alpha_cutoff) discard;
 #endif
   shade();
 }

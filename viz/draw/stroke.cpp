@@ -8,7 +8,6 @@ namespace psm {
 namespace {
 
 constexpr Dash kDash{6.0, 4.0}, kHiddenDash{5.0, 4.0};
-constexpr double kHiddenWidth = 0.7, kHiddenOpacity = 0.6;
 constexpr double kMargin = 64.0;                            // pixels beyond the picture where lines end
 constexpr double kArrowLength = 8.0, kArrowPerWidth = 2.5;  // pixels at scale 1; and per pixel of width
 constexpr double kArrowSlope = 0.38;                        // half width over length

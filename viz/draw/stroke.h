@@ -10,8 +10,9 @@
 
 namespace psm {
 
-/// Lines as they are where nothing hides them, or as they show behind the scene: thinner, dashed, 60 %.
+/// Lines as they are where nothing hides them, or as they show behind the scene: thinner, dashed, fainter.
 enum class Seen { in_front, behind };
+constexpr double kHiddenWidth = 0.7, kHiddenOpacity = 0.6, kHiddenPointOpacity = 0.45;  // times their own
 
 /// Pixels, y upwards; depths in normalised device coordinates, a little nearer than the line, so that what lies on a surface is
 /// not hidden by it.
@@ -27,6 +28,7 @@ struct Stroke {
 /// Of dashed strokes, pixels at scale 1.
 struct Dash {
   double on, off;
+  double period() const { return on + off; }
 };
 Dash dash_of(Seen seen);
 

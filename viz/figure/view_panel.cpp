@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kShortestRun = 3.0;   // pixels: shorter changes between seen and hidden are noise of the depth's rounding
 constexpr double kArrowOverlap = 0.5;  // pixels that a line reaches into its head, so that no seam shows
-constexpr float kHiddenPoint = 0.45f;  // opacity
 
 /// The depth of the scene in the frame's pixels, which count upwards.
 class SceneDepth {
@@ -95,7 +94,7 @@ class PanelBuilder {
       const glm::dvec2 at = pixels_of(clip, frame_);
       const bool hidden = scene_.hides(at, pulled_depth(clip));
       if (hidden != (seen == Seen::behind)) continue;
-      const float opacity = hidden ? kHiddenPoint : 1.0f;
+      const float opacity = hidden ? float(kHiddenPointOpacity) : 1.0f;
       const double radius = point.radius * frame_.scale;
       const glm::vec3 rim(frame_.theme == Theme::light ? 0.1f : 0.95f);
       add(PageBox{on_page(at) - radius, glm::dvec2(2.0 * radius), radius, glm::vec4(role_color(point.role), opacity),

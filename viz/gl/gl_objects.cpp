@@ -48,10 +48,11 @@ void fail(const std::string& line) {
 }
 
 Program::Program(const std::filesystem::path& shaders, const std::string& vertex, const std::string& fragment,
-                 const std::string& defines)
+                 const std::string& defines, const std::string& library)
     : name_(glCreateProgram()) {
+  const std::string shared = library.empty() ? "" : read_text(shaders / (library + ".glsl"));
   for (const GLuint shader : {compile(GL_VERTEX_SHADER, shaders / (vertex + ".vert"), defines),
-                              compile(GL_FRAGMENT_SHADER, shaders / (fragment + ".frag"), defines)}) {
+                              compile(GL_FRAGMENT_SHADER, shaders / (fragment + ".frag"), defines + shared)}) {
     glAttachShader(name_, shader);
     glDeleteShader(shader);  // once the program goes
   }

@@ -72,9 +72,9 @@ using Renderbuffer = Name<RenderbufferKind>;
 /// line if a file is missing or does not compile: the installation is broken then.
 class Program {
  public:
-  /// `defines`: lines such as "#define NAME\n", for both shaders.
+  /// `defines`: lines such as "#define NAME\n", for both shaders. `library`: NAME.glsl, before the fragment shader.
   Program(const std::filesystem::path& shaders, const std::string& vertex, const std::string& fragment,
-          const std::string& defines = "");
+          const std::string& defines = "", const std::string& library = "");
   ~Program() { glDeleteProgram(name_); }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;

@@ -4,14 +4,25 @@
 #include "gl/gl_state.h"
 
 namespace psm::gl {
+namespace {
+
+template <class Vertex>
+void draw(VertexStream& stream, const std::vector<Vertex>& vertices) {
+  if (vertices.empty()) return;
+  stream.upload(std::span<const Vertex>(vertices));
+  stream.draw_triangles();
+}
+
+}  // namespace
 
 ListPass::ListPass(const std::filesystem::path& shaders, const std::filesystem::path& font)
     : fill_program_(shaders, "fill", "fill"),
-      line_program_(shaders, "line", "line"),
-      shape_program_(shaders, "shape", "shape"),
+      line_programs_{Program(shaders, "line", "line"), Program(shaders, "line", "line", "#define OVER_SCENE\n", "overlay_depth")},
+      shape_programs_{Program(shaders, "shape", "shape"),
+                      Program(shaders, "shape", "shape", "#define OVER_SCENE\n", "overlay_depth")},
       fills_(sizeof(FillVertex), {{0, 4, offsetof(FillVertex, position)}, {1, 4, offsetof(FillVertex, color)}}),
       lines_(sizeof(LineVertex), {{0, 3, offsetof(LineVertex, position)},
-                                  {1, 4, offsetof(LineVertex, segment)},
+                                  {1, 4, offsetof(LineVertex, place)},
                                   {2, 4, offsetof(LineVertex, color)},
                                   {3, 4, offsetof(LineVertex, shape)}}),
       shapes_(sizeof(ShapeVertex), {{0, 3, offsetof(ShapeVertex, position)},
@@ -21,24 +32,18 @@ ListPass::ListPass(const std::filesystem::path& shaders, const std::filesystem::
                                     {4, 2, offsetof(ShapeVertex, shape)}}),
       text_(shaders, font) {}
 
-void ListPass::draw_lines_and_labels(const ViewPicture& picture, const PictureFrame& frame) {
+void ListPass::draw_lines_and_labels(const ViewPicture& picture, const PictureFrame& frame, const OverlayDepth& scene) {
   const Annotations notes = annotate(picture, frame, [&](const std::string& text) { return text_.text_size(text, frame.scale); });
 
-  glDepthMask(GL_FALSE);
+  glDisable(GL_DEPTH_TEST);
   enable_blending();
-  glEnable(GL_DEPTH_TEST);
-  draw_list_lines(picture, frame, Seen::behind);
-  draw_list_lines(picture, frame, Seen::in_front);
-  glDisable(GL_DEPTH_TEST);
-  draw_lines(mark_vertices(notes.leaders, frame));  // they end under the points that they lead to
-  glEnable(GL_DEPTH_TEST);
-  draw_list_points(picture, frame, Seen::behind);
-  draw_list_points(picture, frame, Seen::in_front);
-  glDisable(GL_DEPTH_TEST);
-  draw_shapes(plate_vertices(notes.plates, frame));
-  draw_lines(mark_vertices(notes.marks, frame));
+  draw_list_lines(picture, frame, scene);
+  draw_marks(notes.leaders, frame);  // they end under the points that they lead to
+  draw_list_points(picture, frame, scene);
+  shape_programs_[0].use();
+  draw(shapes_, plate_vertices(notes.plates, frame));
+  draw_marks(notes.marks, frame);
   text_.draw(notes.texts, frame);
-  glDepthMask(GL_TRUE);
 }
 
 /// Back faces first: right for one convex body.
@@ -61,28 +66,27 @@ void ListPass::draw_fills(const ViewPicture& picture, const PictureFrame& frame)
   glDepthMask(GL_TRUE);
 }
 
-void ListPass::draw_list_lines(const ViewPicture& picture, const PictureFrame& frame, Seen seen) {
-  glDepthFunc(seen == Seen::behind ? GL_GREATER : GL_LEQUAL);
-  draw_lines(line_vertices(picture.list, picture.clip_from_list, frame, seen));
+Program& ListPass::use(Pair& programs, const OverlayDepth& scene) {
+  Program& program = programs[scene.any() ? 1 : 0];
+  program.use();
+  if (scene.any()) scene.bind(program);
+  return program;
 }
 
-void ListPass::draw_list_points(const ViewPicture& picture, const PictureFrame& frame, Seen seen) {
-  glDepthFunc(seen == Seen::behind ? GL_GREATER : GL_LEQUAL);
-  draw_shapes(point_vertices(picture.list, picture.clip_from_list, frame, seen));
+void ListPass::draw_list_lines(const ViewPicture& picture, const PictureFrame& frame, const OverlayDepth& scene) {
+  use(line_programs_, scene)
+      .set("u_hidden", glm::vec3(kHiddenWidth, kHiddenOpacity, dash_of(Seen::behind).period() * frame.scale));
+  draw(lines_, line_vertices(picture.list, picture.clip_from_list, frame));
 }
 
-void ListPass::draw_lines(std::span<const LineVertex> vertices) {
-  if (vertices.empty()) return;
-  line_program_.use();
-  lines_.upload(vertices);
-  lines_.draw_triangles();
+void ListPass::draw_list_points(const ViewPicture& picture, const PictureFrame& frame, const OverlayDepth& scene) {
+  use(shape_programs_, scene).set("u_hidden", float(kHiddenPointOpacity));
+  draw(shapes_, point_vertices(picture.list, picture.clip_from_list, frame));
 }
 
-void ListPass::draw_shapes(std::span<const ShapeVertex> vertices) {
-  if (vertices.empty()) return;
-  shape_program_.use();
-  shapes_.upload(vertices);
-  shapes_.draw_triangles();
+void ListPass::draw_marks(std::span<const Mark> marks, const PictureFrame& frame) {
+  line_programs_[0].use();
+  draw(lines_, mark_vertices(marks, frame));
 }
 
 }  // namespace psm::gl

@@ -17,7 +17,8 @@ struct MapCorner {
 }  // namespace
 
 MapPass::MapPass(const std::filesystem::path& shaders)
-    : program_(shaders, "map_depth", "map_depth"),
+    : programs_{Program(shaders, "map_depth", "map_depth", "#define EMPTY\n"), Program(shaders, "map_depth", "map_depth"),
+                Program(shaders, "map_depth", "map_depth", "#define SHEET\n")},
       corners_(sizeof(MapCorner), {{0, 4, offsetof(MapCorner, clip)}, {1, 2, offsetof(MapCorner, map)}}) {}
 
 void MapPass::draw(const ViewPicture& picture, const ShadowPass& map, double scale, Theme theme) {
@@ -29,13 +30,13 @@ void MapPass::draw(const ViewPicture& picture, const ShadowPass& map, double sca
     return MapCorner{*clip * glm::vec4(2.0f * u - 1.0f, (2.0f * v - 1.0f) * half_height, 0.0f, 1.0f), {u, v}};
   };
   const std::array<MapCorner, 6> corners{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 0), corner(1, 1), corner(0, 1)};
-  program_.use();
-  program_.set("u_map", 0);
-  program_.set("u_blocks", 1);
-  program_.set("u_tiles", tiles);
-  program_.set("u_empty", map.layers() == 0 ? 1 : 0);
-  program_.set("u_ground", picture_ground(theme));
-  program_.set("u_scale", float(scale));
+  Program& program = programs_[std::size_t(std::min(map.layers(), 2))];
+  program.use();
+  program.set("u_map", 0);
+  program.set("u_blocks", 1);
+  program.set("u_tiles", tiles);
+  program.set("u_ground", picture_ground(theme));
+  program.set("u_scale", float(scale));
   map.bind_for_reading(0);
   map.bind_range(1);
   glDisable(GL_DEPTH_TEST);

@@ -2,6 +2,7 @@
 // The shadow map as a picture.
 #pragma once
 
+#include <array>
 #include <filesystem>
 
 #include "draw/view.h"
@@ -20,7 +21,7 @@ class MapPass {
   void draw(const ViewPicture& picture, const ShadowPass& map, double scale, Theme theme);
 
  private:
-  Program program_;
+  std::array<Program, 3> programs_;  // for no map, one, and several
   VertexStream corners_;
 };
 

@@ -5,57 +5,39 @@
 #include <cstdint>
 
 namespace psm::gl {
-namespace {
-
-void allocate(const GlTexture& depth, glm::ivec2 size) {
-  glBindTexture(GL_TEXTURE_2D, depth.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size.x, size.y, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-}
-
-}  // namespace
 
 void OverlayDepth::reserve(glm::ivec2 size) {
   if (size.x <= reserved_.x && size.y <= reserved_.y) return;
   reserved_ = glm::max(size, reserved_);
   glActiveTexture(GL_TEXTURE0);
-  allocate(resolved_, reserved_);
-  allocate(pushed_, reserved_);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_framebuffer_.get());
-  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, resolved_.get(), 0);
+  glBindTexture(GL_TEXTURE_2D, depth_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, reserved_.x, reserved_.y, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.get());
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
 }
 
-void OverlayDepth::attach(const MultisampleTarget& scene, const ViewTarget& target) {
-  size_ = target.size();
-  reserve(size_);
+void OverlayDepth::take(const MultisampleTarget& scene, glm::ivec2 size, const PixelRect& rect) {
+  size_ = size;
+  rect_ = rect;
+  reserve(size);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, scene.framebuffer());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_framebuffer_.get());
-  glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-
-  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, pushed_.get(), 0);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, resolved_.get());
-  push_program_.use();
-  push_program_.set("u_depth", 0);
-  push_program_.set("u_last_pixel", size_ - 1);
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_ALWAYS);
-  glBindVertexArray(no_vertices_.get());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDepthFunc(GL_LESS);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.get());
+  glBlitFramebuffer(rect.left, rect.bottom, rect.right, rect.top, rect.left, rect.bottom, rect.right, rect.top,
+                    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
 
-void OverlayDepth::leave_out(const ViewTarget& target) {
-  size_ = {0, 0};
-  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+void OverlayDepth::bind(Program& program) const {
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, depth_.get());
+  program.set("u_depth", 0);
+  program.set("u_first_pixel", glm::ivec2(rect_.left, rect_.bottom));
+  program.set("u_last_pixel", glm::ivec2(rect_.right, rect_.top) - 1);
 }
 
 std::vector<float> OverlayDepth::read() const {
-  if (size_.x == 0) return {};
+  if (!any()) return {};
   // ES 3.0 reads neither depth nor float textures back, but it reads unsigned integers: the bits of the floats.
   const Framebuffer framebuffer;
   const Renderbuffer bits;
@@ -64,10 +46,8 @@ std::vector<float> OverlayDepth::read() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, bits.get());
   glViewport(0, 0, size_.x, size_.y);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, pushed_.get());
   bits_program_.use();
-  bits_program_.set("u_depth", 0);
+  bind(bits_program_);
   glBindVertexArray(no_vertices_.get());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scene's depth with one sample a pixel, pushed back a little: what is drawn over a view is tested against it.
+// The scene's depth with one sample a pixel, pushed back a little: what is drawn over a view is tested against it, in the
+// fragment shaders (overlay_depth.glsl), since few pixels need it.
 #pragma once
 
 #include <filesystem>
@@ -13,26 +14,29 @@ namespace psm::gl {
 class OverlayDepth {
  public:
   explicit OverlayDepth(const std::filesystem::path& shaders)
-      : push_program_(shaders, "fullscreen", "overlay_depth"), bits_program_(shaders, "fullscreen", "overlay_depth_bits") {}
+      : bits_program_(shaders, "fullscreen", "overlay_depth_bits", "", "overlay_depth") {}
 
-  /// Takes the lower left `size` pixels of `scene` and gives `target` its depth; `target` is bound afterwards.
-  void attach(const MultisampleTarget& scene, const ViewTarget& target);
+  /// Of a picture of this size; the scene is in `rect`, not empty.
+  void take(const MultisampleTarget& scene, glm::ivec2 size, const PixelRect& rect);
+  /// The picture at hand has no scene that hides anything.
+  void forget() { size_ = {0, 0}; }
+  bool any() const { return size_.x > 0; }
 
-  /// Binds `target` for what needs no depth.
-  void leave_out(const ViewTarget& target);
+  /// For a program in use that was made with overlay_depth.glsl; takes texture unit 0.
+  void bind(Program& program) const;
 
-  /// In [0, 1], rows top to bottom: of what was attached last; empty where it was left out.
+  /// In [0, 1], rows top to bottom; empty where there is none.
   std::vector<float> read() const;
 
  private:
   void reserve(glm::ivec2 size);
 
-  Program push_program_;
   mutable Program bits_program_;
   VertexArray no_vertices_;
-  Framebuffer resolved_framebuffer_;
-  GlTexture resolved_, pushed_;
+  Framebuffer framebuffer_;
+  GlTexture depth_;
   glm::ivec2 reserved_{0}, size_{0};
+  PixelRect rect_;
 };
 
 }  // namespace psm::gl

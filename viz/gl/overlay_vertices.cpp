@@ -19,7 +19,10 @@ struct Quad {
   glm::dvec2 a, b;
   double depth_a = -1.0, depth_b = -1.0;
   glm::vec4 color{1.0f};  // opacity at a
-  double opacity_b = 1.0, half_width = 0.5, dash = 0.0, taper = 0.0;
+  double opacity_b = 1.0, width = 1.0, dash = 0.0;
+  bool taper = false;  // an arrow head; its width is half its base
+
+  double half_width() const { return taper ? width : 0.5 * std::max(width, 1.0); }
 };
 
 template <class Vertex>
@@ -31,54 +34,47 @@ void append_segment(std::vector<LineVertex>& to, const Quad& s, const PictureFra
   const double length = glm::length(s.b - s.a);
   const glm::dvec2 along = length > 0.0 ? (s.b - s.a) / length : glm::dvec2(1.0, 0.0);
   const glm::dvec2 across(-along.y, along.x);
-  const double reach = s.half_width + 1.5;  // the feather and a pixel for multisampling
+  // Dashes count from a place that does not depend on where the line was clipped, so that pieces of one line dash as one.
+  const glm::dvec2 upright = along.x < 0.0 || (along.x == 0.0 && along.y < 0.0) ? -along : along;
+  const double reach = s.half_width() + 1.0;  // the feather, and half a pixel for centres
   const double depth_step = length > 0.0 ? (s.depth_b - s.depth_a) / length : 0.0;
-  const auto corner = [&](glm::dvec2 end, double depth, double forwards, double sideways) {
-    const double extended = std::clamp(depth + depth_step * forwards * reach, -1.0, 1.0);
-    return LineVertex{device_position(end + reach * (forwards * along + sideways * across), extended, frame), glm::vec4(s.a, s.b),
-                      s.color, glm::vec4(float(s.half_width), float(s.opacity_b), float(s.dash), float(s.taper))};
+  const auto corner = [&](bool at_b, double sideways) {
+    const double t = at_b ? length + reach : -reach, aside = sideways * reach;
+    const glm::dvec2 pixel = s.a + t * along + aside * across;
+    const double depth = std::clamp(s.depth_a + depth_step * t, -1.0, 1.0);
+    return LineVertex{device_position(pixel, depth, frame), glm::vec4(t, aside, glm::dot(pixel, upright), length), s.color,
+                      glm::vec4(float(s.width), float(s.opacity_b), float(s.dash), s.taper ? 1.0f : 0.0f)};
   };
-  append_quad<LineVertex>(to, {corner(s.a, s.depth_a, -1, -1), corner(s.b, s.depth_b, 1, -1), corner(s.b, s.depth_b, 1, 1),
-                               corner(s.a, s.depth_a, -1, 1)});
+  append_quad<LineVertex>(to, {corner(false, -1.0), corner(true, -1.0), corner(true, 1.0), corner(false, 1.0)});
 }
 
 /// The head of an arrow that ends at quad.b, and the quad shortened to its base.
 void append_arrow_head(std::vector<LineVertex>& to, Quad& quad, const PictureFrame& frame) {
   const double length = glm::length(quad.b - quad.a);
   if (!(length > 0.0)) return;
-  const ArrowHead wanted = arrow_head(2.0 * quad.half_width, frame.scale);
+  const ArrowHead wanted = arrow_head(2.0 * quad.half_width(), frame.scale);
   const double head = std::min(wanted.length, length);
   const double t = 1.0 - head / length;
   Quad tip = quad;
   tip.a = glm::mix(quad.a, quad.b, t);
   tip.depth_a = glm::mix(quad.depth_a, quad.depth_b, t);
   tip.color.a = float(quad.opacity_b);
-  tip.half_width = wanted.half_width * head / wanted.length;
+  tip.width = wanted.half_width * head / wanted.length;
   tip.dash = 0.0;
-  tip.taper = 1.0;
+  tip.taper = true;
   append_segment(to, tip, frame);
   const double overlap = std::min(1.0, 0.5 * head);  // no seam between the line and its head
   quad.b = glm::mix(quad.a, quad.b, 1.0 - (head - overlap) / length);
 }
 
-/// Never below one pixel: thinner lines fade instead.
-void set_width(Quad& quad, double width) {
-  quad.half_width = 0.5 * std::max(width, 1.0);
-  const double fade = std::clamp(width, 0.0, 1.0);
-  quad.color.a *= float(fade);
-  quad.opacity_b *= fade;
-}
-
-void append_line(std::vector<LineVertex>& to, const DrawLine& line, const glm::dmat4& clip_from_list, const PictureFrame& frame,
-                 Seen seen) {
-  const auto stroke = stroke_of(line, clip_from_list, frame, seen);
+void append_line(std::vector<LineVertex>& to, const DrawLine& line, const glm::dmat4& clip_from_list, const PictureFrame& frame) {
+  const auto stroke = stroke_of(line, clip_from_list, frame, Seen::in_front);
   if (!stroke) return;
   Quad quad{stroke->a, stroke->b, stroke->depth_a, stroke->depth_b};
   quad.color = glm::vec4(picture_line_color(line.role, frame.theme), float(stroke->opacity_a));
   quad.opacity_b = stroke->opacity_b;
-  const Dash dash = dash_of(seen);
-  if (stroke->dashed) quad.dash = (dash.on + dash.off) * frame.scale;
-  set_width(quad, stroke->width);
+  quad.width = stroke->width;
+  if (stroke->dashed) quad.dash = dash_of(Seen::in_front).period() * frame.scale;
   if (stroke->arrow) append_arrow_head(to, quad, frame);
   append_segment(to, quad, frame);
 }
@@ -90,7 +86,7 @@ ShapeVertex shape_corner(const ShapeVertex& flat, glm::dvec2 pixels, double dept
 }
 
 void append_shape(std::vector<ShapeVertex>& to, const ShapeVertex& flat, double depth, const PictureFrame& frame) {
-  const glm::dvec2 centre(flat.box.x, flat.box.y), reach = glm::dvec2(flat.box.z, flat.box.w) + 1.5;
+  const glm::dvec2 centre(flat.box.x, flat.box.y), reach = glm::dvec2(flat.box.z, flat.box.w) + 1.0;
   append_quad<ShapeVertex>(to, {shape_corner(flat, centre - reach, depth, frame),
                                 shape_corner(flat, centre + glm::dvec2(reach.x, -reach.y), depth, frame),
                                 shape_corner(flat, centre + reach, depth, frame),
@@ -99,10 +95,9 @@ void append_shape(std::vector<ShapeVertex>& to, const ShapeVertex& flat, double 
 
 }  // namespace
 
-std::vector<LineVertex> line_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame,
-                                      Seen seen) {
+std::vector<LineVertex> line_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame) {
   std::vector<LineVertex> vertices;
-  for (const DrawLine& line : list.lines) append_line(vertices, line, clip_from_list, frame, seen);
+  for (const DrawLine& line : list.lines) append_line(vertices, line, clip_from_list, frame);
   return vertices;
 }
 
@@ -112,16 +107,14 @@ std::vector<LineVertex> mark_vertices(std::span<const Mark> marks, const Picture
     Quad quad{{mark.a.x, frame.size.y - mark.a.y}, {mark.b.x, frame.size.y - mark.b.y}};
     quad.color = mark.color;
     quad.opacity_b = mark.color.a;
-    set_width(quad, mark.width);
+    quad.width = mark.width;
     append_segment(vertices, quad, frame);
   }
   return vertices;
 }
 
-std::vector<ShapeVertex> point_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame,
-                                        Seen seen) {
+std::vector<ShapeVertex> point_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame) {
   std::vector<ShapeVertex> vertices;
-  const float opacity = seen == Seen::behind ? 0.45f : 1.0f;
   for (const DrawPoint& point : list.points) {
     const glm::dvec4 clip = clip_from_list * point.position;
     if (!finite(clip) || !(clip.w > 0.0) || std::abs(clip.x) > 2.0 * clip.w || std::abs(clip.y) > 2.0 * clip.w) continue;
@@ -129,8 +122,8 @@ std::vector<ShapeVertex> point_vertices(const DrawList& list, const glm::dmat4& 
     ShapeVertex flat;
     const double radius = point.radius * frame.scale;
     flat.box = glm::vec4(pixels_of(clip, frame), radius, radius);
-    flat.fill = glm::vec4(role_color(point.role), opacity);
-    flat.outline = glm::vec4(glm::vec3(frame.theme == Theme::light ? 0.1f : 0.95f), 0.85f * opacity);
+    flat.fill = glm::vec4(role_color(point.role), 1.0f);
+    flat.outline = glm::vec4(glm::vec3(frame.theme == Theme::light ? 0.1f : 0.95f), 0.85f);
     flat.shape = glm::vec2(radius, 1.25 * frame.scale);
     append_shape(vertices, flat, pulled_depth(clip), frame);
   }

@@ -12,13 +12,14 @@
 
 namespace psm::gl {
 
-/// A corner of the quad around a segment. All but `position` are the same at the six corners.
+/// A corner of the quad around a segment. `color` and `shape` are the same at the six corners.
 struct LineVertex {
   glm::vec3 position;  // normalised device coordinates
-  glm::vec4 segment;   // a.xy, b.xy in pixels
-  glm::vec4 color;     // sRGB and opacity at a
-  glm::vec4
-      shape;  // half width in pixels, opacity at b, length of dash + gap (0: none), taper (1: an arrow head with its tip at b)
+  glm::vec4 place;  // along the segment from a, aside of it, in pixels; periods of dash and gap; the segment's length in pixels
+  glm::vec4 color;  // sRGB and opacity at a
+  /// Width in pixels (of an arrow head: half its base), opacity at b, length of dash + gap (0: none), taper (1: an arrow head
+  /// with its tip at b). What the scene hides is drawn by the fragment shader, as stroke.h has it.
+  glm::vec4 shape;
 };
 
 /// A corner of the box around a disc or a rounded plate.
@@ -36,11 +37,9 @@ struct FillVertex {
 };
 
 /// Segments clipped to the picture before they are divided by w; lines that are not finite or outside are left out.
-std::vector<LineVertex> line_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame,
-                                      Seen seen);
+std::vector<LineVertex> line_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame);
 
-std::vector<ShapeVertex> point_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame,
-                                        Seen seen);
+std::vector<ShapeVertex> point_vertices(const DrawList& list, const glm::dmat4& clip_from_list, const PictureFrame& frame);
 
 /// In front of everything.
 std::vector<LineVertex> mark_vertices(std::span<const Mark> marks, const PictureFrame& frame);

@@ -13,6 +13,7 @@
 #include "gl/map_pass.h"
 #include "gl/overlay_depth.h"
 #include "gl/scene_pass.h"
+#include "gl/seen_rect.h"
 #include "gl/shadow_pass.h"
 #include "gl/view_target.h"
 #include "gl/visible_pass.h"
@@ -44,32 +45,30 @@ struct Renderer::State {
 
 namespace {
 
-struct PixelRect {
-  int left, bottom, right, top;
-};
+using gl::PixelRect;
 
-/// The clip-space rectangle min x, min y, max x, max y in whole pixels, inside the picture.
-PixelRect pixel_rect(const glm::dvec4& rect, glm::ivec2 size) {
-  const auto pixel = [](double clip, int extent) { return int(std::lround((std::clamp(clip, -1.0, 1.0) * 0.5 + 0.5) * extent)); };
-  return {pixel(rect.x, size.x), pixel(rect.y, size.y), pixel(rect.z, size.x), pixel(rect.w, size.y)};
-}
-
-void clear(const PixelRect& rect, const glm::vec4& rgba) {
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(rect.left, rect.bottom, std::max(0, rect.right - rect.left), std::max(0, rect.top - rect.bottom));
-  const float far_end = 1.0f;
-  glClearBufferfv(GL_COLOR, 0, &rgba.r);
-  glClearBufferfv(GL_DEPTH, 0, &far_end);
-  glDisable(GL_SCISSOR_TEST);
-}
-
-/// Clears beside the eye's image, after the scene: some drivers let multisampled triangles reach beyond a scissor.
+/// Clears beside the eye's image.
 void clear_outside(const ViewPicture& picture, glm::ivec2 size, const glm::vec4& rgba) {
-  const PixelRect image = pixel_rect(picture.image_rect, size);
+  const PixelRect image = gl::pixel_rect(picture.image_rect, size);
   for (const PixelRect& bar : {PixelRect{0, 0, image.left, size.y}, PixelRect{image.right, 0, size.x, size.y},
                                PixelRect{0, 0, size.x, image.bottom}, PixelRect{0, image.top, size.x, size.y}}) {
-    if (bar.left < bar.right && bar.bottom < bar.top) clear(bar, rgba);
+    if (bar.left < bar.right && bar.bottom < bar.top) gl::clear(bar, rgba);
   }
+}
+
+/// Whether the picture has a scene that can hide what is drawn over it.
+bool has_depth(const ViewPicture& picture) {
+  return picture.scene == ScenePicture::shadowed || picture.scene == ScenePicture::projective;
+}
+
+PixelRect fills_rect(const ViewPicture& picture, glm::ivec2 size) {
+  gl::SeenRect seen;
+  for (const DrawFill& fill : picture.list.fills) seen.add_polygon(picture.clip_from_list, fill.corners);
+  return seen.pixels(size, 1);
+}
+
+PixelRect cover_rect(const ViewPicture& picture, glm::ivec2 size) {
+  return picture.cover ? gl::pixel_rect(picture.image_rect, size) : PixelRect{};
 }
 
 /// Pixels over nothing come out with their colours multiplied by their opacity.
@@ -119,25 +118,33 @@ std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& an
   // Into a framebuffer of its own, so before this picture's is bound.
   if (picture.scene == ScenePicture::map_depth) s.shadow_pass.find_range();
 
-  glBindFramebuffer(GL_FRAMEBUFFER, s.multisample.framebuffer());
   glViewport(0, 0, size.x, size.y);
   const bool transparent = backdrop == Backdrop::none;
   const glm::vec4 ground = transparent ? glm::vec4(0.0f) : glm::vec4(picture_ground(theme), 1.0f);
-  clear({0, 0, size.x, size.y}, ground);  // the framebuffer may be larger than the picture
-  if (picture.scene == ScenePicture::map_depth)
-    s.map_pass.draw(picture, s.shadow_pass, scale, theme);
-  else if (picture.scene != ScenePicture::none)
-    s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, theme, ground);
-  s.cover_pass.draw(picture);
-  clear_outside(picture, size, transparent ? ground : glm::vec4(picture_outside(theme), 1.0f));
+  const glm::vec4 outside = transparent ? ground : glm::vec4(picture_outside(theme), 1.0f);
   const PictureFrame frame{glm::dvec2(size), scale, theme};
-  s.list_pass.draw_fills(picture, frame);
-  target.resolve_from(s.multisample);
-  if (picture.list.lines.empty() && picture.list.points.empty())
-    s.overlay_depth.leave_out(target);
-  else
-    s.overlay_depth.attach(s.multisample, target);
-  s.list_pass.draw_lines_and_labels(picture, frame);
+  s.overlay_depth.forget();
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+  gl::clear({0, 0, size.x, size.y}, ground);
+  clear_outside(picture, size, outside);
+  if (picture.scene == ScenePicture::map_depth) s.map_pass.draw(picture, s.shadow_pass, scale, theme);
+
+  // Triangles need several samples a pixel, but only where there are any.
+  const bool solid = has_depth(picture);
+  const PixelRect scene_rect = solid ? s.scene_pass.reach(picture, s.scene, size, scale) : PixelRect{};
+  const PixelRect sampled = joined(joined(scene_rect, fills_rect(picture, size)), cover_rect(picture, size));
+  if (!sampled.empty()) {
+    s.multisample.clear(sampled, ground);
+    if (solid) s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, theme, ground);
+    s.cover_pass.draw(picture);
+    clear_outside(picture, size, outside);  // after the scene: some drivers let multisampled triangles reach beyond a scissor
+    s.list_pass.draw_fills(picture, frame);
+    target.resolve_from(s.multisample, sampled);
+  }
+  if (!scene_rect.empty() && !(picture.list.lines.empty() && picture.list.points.empty()))
+    s.overlay_depth.take(s.multisample, size, scene_rect);
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+  s.list_pass.draw_lines_and_labels(picture, frame, s.overlay_depth);
   gl::check_errors("draw_view");
   return target.texture();
 }

@@ -26,6 +26,7 @@ struct Assembly {
   struct List {
     IndexList indices;
     std::vector<Part> parts;
+    bool colored = false;
   };
   std::map<std::pair<Primitive, int>, List> lists;
 };
@@ -80,6 +81,7 @@ void append_mesh(Assembly& all, const Mesh& mesh, const glm::dvec3& origin, doub
     Assembly::List& list = all.lists[{primitive, mesh.material}];
     const std::size_t first = list.indices.size();
     append(list.indices);
+    if (list.indices.size() > first && !mesh.colors.empty()) list.colored = true;
     list.parts.push_back({first, GLsizei(list.indices.size() - first), bounds_of(mesh)});
   };
   append_part(Primitive::lines, [&](IndexList& to) { append_indices(to, mesh.lines, base); });
@@ -201,7 +203,8 @@ void SceneBuffers::upload(const Scene& scene) {
   for (auto& [key, list] : all.lists) {
     if (list.indices.empty()) continue;
     for (Part& part : list.parts) part.first += indices.size();
-    batches_.push_back({key.first, key.second, indices.size(), GLsizei(list.indices.size()), std::move(list.parts)});
+    batches_.push_back(
+        {key.first, key.second, indices.size(), GLsizei(list.indices.size()), std::move(list.parts), list.colored});
     indices.insert(indices.end(), list.indices.begin(), list.indices.end());
   }
   glBindVertexArray(array_.get());
@@ -214,14 +217,16 @@ void SceneBuffers::upload(const Scene& scene) {
   for (const Texture& texture : scene.textures) textures_.push_back(make_texture(texture));
 }
 
+std::string SceneBuffers::defines(const Batch& batch) const {
+  return std::string(textured(batch) ? "#define TEXTURED\n" : "") + (batch.colored ? "#define COLORED\n" : "");
+}
+
 void SceneBuffers::bind_material(const Batch& batch, Program& program) const {
   const Material& m = material(batch);
-  const bool textured = m.texture >= 0 && std::size_t(m.texture) < textures_.size();
   program.set("u_base_color", m.base_color);
   program.set("u_alpha_cutoff", m.alpha_cutoff);
-  program.set("u_textured", textured ? 1 : 0);
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, textured ? textures_[std::size_t(m.texture)].get() : 0);
+  glBindTexture(GL_TEXTURE_2D, textured(batch) ? textures_[std::size_t(m.texture)].get() : 0);
 }
 
 void SceneBuffers::draw_range(Primitive primitive, std::size_t first, GLsizei count) const {

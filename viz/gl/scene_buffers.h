@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 #include "geom/convex_body.h"
@@ -30,6 +31,7 @@ struct Batch {
   std::size_t first = 0;  // in indices
   GLsizei count = 0;
   std::vector<Part> parts;
+  bool colored = false;  // at its vertices
 };
 
 class SceneBuffers {
@@ -46,6 +48,9 @@ class SceneBuffers {
   int revision() const { return revision_; }
 
   void bind() const { glBindVertexArray(array_.get()); }
+  bool textured(const Batch& batch) const { return std::size_t(material(batch).texture) < textures_.size(); }
+  /// The #define lines for programs that draw it.
+  std::string defines(const Batch& batch) const;
   /// Sets the material's uniforms of the program in use, and its texture on unit 0.
   void bind_material(const Batch& batch, Program& program) const;
   /// Whether any part of this kind reaches into the body.

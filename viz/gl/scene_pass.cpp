@@ -2,9 +2,9 @@
 #include "gl/scene_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "draw/texel_overlay.h"
@@ -13,18 +13,6 @@
 #include "gl/viewed_side.h"
 
 namespace psm::gl {
-namespace {
-
-constexpr double kConeEdge = glm::radians(1.0);  // how soft a spot's edge is, inwards
-constexpr float kPointSize = 4.0f;               // pixels at scale 1, of a mesh's points
-constexpr double kFadeStart = 0.75;              // of the cube's limit, as in scene.frag
-
-/// Of any length but zero, to unit length; what is zero or not finite stays dark.
-glm::vec4 unit_light(const glm::dvec4& light) {
-  const double length = light.w == 0.0 ? glm::length(glm::dvec3(light)) : std::abs(light.w);
-  if (!(length > 0.0) || !std::isfinite(length)) return glm::vec4(0.0f);
-  return glm::vec4(light / length);
-}
 
 /// What is the same for all programs and batches of one picture.
 struct SceneUniforms {
@@ -38,6 +26,33 @@ struct SceneUniforms {
   std::span<const glm::mat4> maps_from_local;
   bool only_triangles = false;  // no lines, no points
 };
+
+struct ShownBatch {
+  const Batch* batch;
+  std::vector<Shown> parts;
+  double far_end = -1e300;
+};
+
+/// What one side of w = 0 shows, small things in front before the ground behind them, which they hide from being shaded. The
+/// winding flips with the sign.
+struct Side {
+  float sign;
+  GLenum front;
+  std::vector<ShownBatch> batches;
+};
+
+namespace {
+
+constexpr double kConeEdge = glm::radians(1.0);  // how soft a spot's edge is, inwards
+constexpr float kPointSize = 4.0f;               // pixels at scale 1, of a mesh's points
+constexpr double kFadeStart = 0.75;              // of the cube's limit, as in scene.frag
+
+/// Of any length but zero, to unit length; what is zero or not finite stays dark.
+glm::vec4 unit_light(const glm::dvec4& light) {
+  const double length = light.w == 0.0 ? glm::length(glm::dvec3(light)) : std::abs(light.w);
+  if (!(length > 0.0) || !std::isfinite(length)) return glm::vec4(0.0f);
+  return glm::vec4(light / length);
+}
 
 void set_spot(SceneUniforms& to, const LightSettings& light) {
   const glm::dvec3 to_target = light.target - light.position;
@@ -61,8 +76,7 @@ SceneUniforms shadow_uniforms(const Analysis& analysis, const SceneBuffers& scen
   return values;
 }
 
-void use(Program& program, const SceneUniforms& values) {
-  program.use();
+void set_uniforms(Program& program, const SceneUniforms& values) {
   program.set("u_clip_from_local", values.clip_from_local);
   program.set("u_cube_from_local", values.cube_from_local);
   program.set("u_cube_limit", values.cube_limit);
@@ -80,20 +94,6 @@ void use(Program& program, const SceneUniforms& values) {
   program.set("u_texture", 0);
   program.set("u_map", 1);
 }
-
-struct ShownBatch {
-  const Batch* batch;
-  std::vector<Shown> parts;
-  double far_end = -1e300;
-};
-
-/// What one side of w = 0 shows, small things in front before the ground behind them, which they hide from being shaded. The
-/// winding flips with the sign.
-struct Side {
-  float sign;
-  GLenum front;
-  std::vector<ShownBatch> batches;
-};
 
 std::vector<Side> sides_of(const glm::dmat4& clip_from_world, const std::optional<CubeLimit>& limit, const SceneBuffers& scene) {
   const bool clockwise = front_is_clockwise(clip_from_world);
@@ -117,42 +117,36 @@ std::vector<Side> sides_of(const glm::dmat4& clip_from_world, const std::optiona
   return sides;
 }
 
-/// The parts that need to discard fragments, or those that do not; of whole closed surfaces only the triangles that face the
-/// viewer, since they hide the others.
-void draw_batch(Program& program, const SceneBuffers& scene, const Batch& batch, const std::vector<Shown>& shown,
-                bool discarding) {
+std::optional<CubeLimit> limit_of(const ViewPicture& picture) {
+  if (picture.scene != ScenePicture::projective) return std::nullopt;
+  return CubeLimit{picture.cube_from_world, kFadeStart * picture.cube_limit, picture.cube_limit};
+}
+
+/// Whether a batch has parts that need to discard fragments, or such that do not.
+bool has_parts(const SceneBuffers& scene, const ShownBatch& shown, bool discarding) {
+  const bool holes = scene.material(*shown.batch).alpha_cutoff > 0.0f;
+  return std::any_of(shown.parts.begin(), shown.parts.end(),
+                     [&](const Shown& s) { return s.at_all && (holes || !s.clear) == discarding; });
+}
+
+/// Those parts; of whole closed surfaces only the triangles that face the viewer, since they hide the others.
+void draw_batch(Program& program, const SceneBuffers& scene, const ShownBatch& shown, bool discarding) {
+  const Batch& batch = *shown.batch;
   const bool holes = scene.material(batch).alpha_cutoff > 0.0f;
   program.set("u_has_surface", batch.primitive == Primitive::triangles ? 1 : 0);
   scene.bind_material(batch, program);
   for (const bool solid : {false, true}) {
     solid ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
     scene.draw_parts(batch, [&](std::size_t i) {
-      const Shown& s = shown[i];
+      const Shown& s = shown.parts[i];
       return s.at_all && (holes || !s.clear) == discarding && (batch.parts[i].closed && s.uncut && s.clear && !holes) == solid;
     });
   }
   glDisable(GL_CULL_FACE);
 }
 
-void draw_scene(std::array<Program, 2>& programs, const SceneUniforms& values, const SceneBuffers& scene,
-                const std::vector<Side>& sides) {
-  scene.bind();
-  glCullFace(GL_BACK);
-  for (const bool discarding : {false, true}) {
-    Program& program = programs[discarding ? 1 : 0];
-    use(program, values);
-    for (const Side& side : sides) {
-      program.set("u_sign", side.sign);
-      glFrontFace(side.front);
-      for (const ShownBatch& shown : side.batches)
-        if (!values.only_triangles || shown.batch->primitive == Primitive::triangles)
-          draw_batch(program, scene, *shown.batch, shown.parts, discarding);
-    }
-  }
-}
-
 /// What texels.frag needs besides; the maps are the analysis' own, whether or not they had to be drawn.
-void set_texels(std::array<Program, 2>& programs, const Analysis& analysis, const SceneBuffers& scene, double scale) {
+void set_texels(Program& program, const Analysis& analysis, const SceneBuffers& scene, double scale) {
   std::vector<glm::mat4> maps;
   const auto add = [&](const glm::dmat4& map) {
     if (const auto narrowed = narrow(map * scene.world_from_local())) maps.push_back(*narrowed);
@@ -160,64 +154,85 @@ void set_texels(std::array<Program, 2>& programs, const Analysis& analysis, cons
   if (analysis.map_from_world) add(*analysis.map_from_world);
   if (!analysis.map_from_world && analysis.cube_maps_from_world)
     for (const glm::dmat4& map : *analysis.cube_maps_from_world) add(map);
-  for (Program& program : programs) {
-    program.use();
-    program.set("u_texel_maps", std::span<const glm::mat4>(maps));
-    program.set("u_texel_map_count", int(maps.size()));
-    program.set("u_resolution", float(analysis.experiment.shadow.resolution));
-    program.set("u_scale", float(scale));
-  }
+  program.set("u_texel_maps", std::span<const glm::mat4>(maps));
+  program.set("u_texel_map_count", int(maps.size()));
+  program.set("u_resolution", float(analysis.experiment.shadow.resolution));
+  program.set("u_scale", float(scale));
 }
 
-void set_heat(std::array<Program, 2>& programs, EyeOverlay overlay, const Analysis& analysis, const SceneBuffers& scene) {
+void set_heat(Program& program, EyeOverlay overlay, const Analysis& analysis, const SceneBuffers& scene) {
   const HeatScale& heat = *heat_scale(overlay);
   const auto eye = narrow(analysis.clip_from_world() * scene.world_from_local());
-  for (Program& program : programs) {
-    program.use();
-    program.set("u_eye_from_local", eye.value_or(glm::mat4(1.0f)));
-    program.set("u_image_size", glm::vec2(analysis.experiment.image.width, analysis.experiment.image.height));
-    program.set("u_anisotropy", overlay == EyeOverlay::anisotropy ? 1 : 0);
-    program.set("u_bands", std::span<const glm::vec3>(heat.colors));
-    program.set("u_band_count", int(heat.colors.size()));
-    program.set("u_first_bound", float(heat.first_bound));
-    program.set("u_marked_from", float(heat.marked_from));
-    program.set("u_no_texel", kNoTexelColor);
-  }
+  program.set("u_eye_from_local", eye.value_or(glm::mat4(1.0f)));
+  program.set("u_image_size", glm::vec2(analysis.experiment.image.width, analysis.experiment.image.height));
+  program.set("u_anisotropy", overlay == EyeOverlay::anisotropy ? 1 : 0);
+  program.set("u_bands", std::span<const glm::vec3>(heat.colors));
+  program.set("u_band_count", int(heat.colors.size()));
+  program.set("u_first_bound", float(heat.first_bound));
+  program.set("u_marked_from", float(heat.marked_from));
+  program.set("u_no_texel", kNoTexelColor);
 }
 
-void set_grid(std::array<Program, 2>& programs, int step, Theme theme) {
-  for (Program& program : programs) {
-    program.use();
-    program.set("u_step", float(step));
-    program.set("u_strong", float(kStrongLines));
-    program.set("u_line_color", picture_line_color(Role::texel_grid, theme));
-  }
+void set_grid(Program& program, int step, Theme theme) {
+  program.set("u_step", float(step));
+  program.set("u_strong", float(kStrongLines));
+  program.set("u_line_color", picture_line_color(Role::texel_grid, theme));
 }
 
 }  // namespace
 
-ScenePass::ScenePass(const std::filesystem::path& shaders)
-    : shaders_(shaders),
-      one_map_{Program(shaders, "scene", "scene", "#define ONE_MAP\n"),
-               Program(shaders, "scene", "scene", "#define ONE_MAP\n#define MAY_DISCARD\n")},
-      many_maps_{Program(shaders, "scene", "scene"), Program(shaders, "scene", "scene", "#define MAY_DISCARD\n")},
-      verdicts_{Program(shaders, "scene", "scene", "#define VERDICT\n"),
-                Program(shaders, "scene", "scene", "#define VERDICT\n#define MAY_DISCARD\n")},
-      heat_{Program(shaders, "scene", "texels"), Program(shaders, "scene", "texels", "#define MAY_DISCARD\n")},
-      grid_{Program(shaders, "scene", "texels", "#define GRID\n"),
-            Program(shaders, "scene", "texels", "#define GRID\n#define MAY_DISCARD\n")},
-      surface_points_{Program(shaders, "scene", "surface_point"),
-                      Program(shaders, "scene", "surface_point", "#define MAY_DISCARD\n")} {}
+Program& ScenePass::program(const std::string& fragment, const std::string& defines) {
+  return programs_.try_emplace(fragment + "\n" + defines, shaders_, "scene", fragment, defines).first->second;
+}
 
-ScenePass::Pair& ScenePass::pair_for(const ShadowSettings& shadow, Pair& plain, std::unique_ptr<Pair>& lookup,
-                                     const char* defines) {
+void ScenePass::draw_scene(const Shading& shading, const SceneUniforms& values, const SceneBuffers& scene,
+                           const std::vector<Side>& sides) {
+  scene.bind();
+  glCullFace(GL_BACK);
+  std::set<Program*> ready;
+  for (const bool discarding : {false, true}) {
+    for (const Side& side : sides) {
+      glFrontFace(side.front);
+      for (const ShownBatch& shown : side.batches) {
+        if (values.only_triangles && shown.batch->primitive != Primitive::triangles) continue;
+        if (!has_parts(scene, shown, discarding)) continue;
+        Program& drawn = program(shading.fragment,
+                                 shading.defines + (discarding ? "#define MAY_DISCARD\n" : "") + scene.defines(*shown.batch));
+        drawn.use();
+        if (ready.insert(&drawn).second) {
+          set_uniforms(drawn, values);
+          if (shading.set) shading.set(drawn);
+        }
+        drawn.set("u_sign", side.sign);
+        draw_batch(drawn, scene, shown, discarding);
+      }
+    }
+  }
+}
+
+ScenePass::Shading ScenePass::lit(const Analysis& analysis, const ShadowPass& map, const std::string& defines) {
+  const ShadowSettings& shadow = analysis.experiment.shadow;
   const bool filtered = shadow.filter == Filter::hardware || (shadow.filter == Filter::pcf && shadow.filter_size > 1);
-  if (!filtered && shadow.normal_bias == 0.0 && shadow.constant_bias() == 0.0) return plain;
-  const std::string all = std::string("#define LOOKUP\n") + defines;
-  if (!lookup)
-    lookup.reset(
-        new Pair{Program(shaders_, "scene", "scene", all), Program(shaders_, "scene", "scene", all + "#define MAY_DISCARD\n")});
-  return *lookup;
+  Shading shading{"scene", defines, {}};
+  if (filtered || shadow.normal_bias != 0.0 || shadow.constant_bias() != 0.0) shading.defines += "#define LOOKUP\n";
+  if (map.layers() <= 1) shading.defines += "#define ONE_MAP\n";
+  if (analysis.light.w == 0.0) shading.defines += "#define SUN\n";
+  return shading;
+}
+
+PixelRect ScenePass::reach(const ViewPicture& picture, const SceneBuffers& scene, glm::ivec2 size, double scale) {
+  const int margin = 1 + int(std::ceil(0.5 * kPointSize * scale));
+  SeenRect seen;
+  for (const Side& side : sides_of(picture.clip_from_world, limit_of(picture), scene))
+    for (const ShownBatch& shown : side.batches)
+      for (std::size_t i = 0; i < shown.parts.size(); ++i)
+        if (shown.parts[i].at_all) seen.add_box(double(side.sign) * picture.clip_from_world, shown.batch->parts[i].bounds);
+  const PixelRect scene_rect = seen.pixels(size, margin);
+  if (picture.scene != ScenePicture::projective) return scene_rect;
+  SeenRect limit;  // of the cube, in whose space the list is
+  const glm::dvec3 corner(picture.cube_limit);
+  limit.add_box(picture.clip_from_list, {-corner, corner});
+  return common(scene_rect, limit.pixels(size, margin));
 }
 
 void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map,
@@ -238,24 +253,21 @@ void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const
   const ShadowSettings& shadow = analysis.experiment.shadow;
   map.bind_for_comparison(1, shadow.filter == Filter::hardware);
   glEnable(GL_DEPTH_TEST);
-  std::optional<CubeLimit> limit;
-  if (projective) limit = {picture.cube_from_world, kFadeStart * picture.cube_limit, picture.cube_limit};
-  const std::vector<Side> sides = sides_of(picture.clip_from_world, limit, scene);
-  if (heat_scale(picture.overlay)) {
-    set_texels(heat_, analysis, scene, scale);
-    set_heat(heat_, picture.overlay, analysis, scene);
-    draw_scene(heat_, values, scene, sides);
-  } else {
-    Pair& plain = map.layers() > 1 ? many_maps_ : one_map_;
-    draw_scene(pair_for(shadow, plain, lookup_shading_, ""), values, scene, sides);
-  }
+  const std::vector<Side> sides = sides_of(picture.clip_from_world, limit_of(picture), scene);
+  const auto heat = [&](Program& program) {
+    set_texels(program, analysis, scene, scale);
+    set_heat(program, picture.overlay, analysis, scene);
+  };
+  const auto grid = [&](Program& program) {
+    set_texels(program, analysis, scene, scale);
+    set_grid(program, picture.texel_step, theme);
+  };
+  draw_scene(heat_scale(picture.overlay) ? Shading{"texels", "", heat} : lit(analysis, map), values, scene, sides);
   if (picture.texel_step > 0) {
-    set_texels(grid_, analysis, scene, scale);
-    set_grid(grid_, picture.texel_step, theme);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     enable_blending();
-    draw_scene(grid_, values, scene, sides);
+    draw_scene({"texels", "#define GRID\n", grid}, values, scene, sides);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
@@ -272,8 +284,7 @@ void ScenePass::draw_verdicts(const Analysis& analysis, const SceneBuffers& scen
   const ShadowSettings& shadow = analysis.experiment.shadow;
   map.bind_for_comparison(1, shadow.filter == Filter::hardware);
   glEnable(GL_DEPTH_TEST);
-  draw_scene(pair_for(shadow, verdicts_, lookup_verdicts_, "#define VERDICT\n"), values, scene,
-             sides_of(analysis.clip_from_world(), std::nullopt, scene));
+  draw_scene(lit(analysis, map, "#define VERDICT\n"), values, scene, sides_of(analysis.clip_from_world(), std::nullopt, scene));
 }
 
 void ScenePass::draw_surface_points(const Analysis& analysis, const SceneBuffers& scene) {
@@ -284,7 +295,7 @@ void ScenePass::draw_surface_points(const Analysis& analysis, const SceneBuffers
   values.clip_from_local = *clip;
   values.only_triangles = true;
   glEnable(GL_DEPTH_TEST);
-  draw_scene(surface_points_, values, scene, sides_of(analysis.clip_from_world(), std::nullopt, scene));
+  draw_scene({"surface_point"}, values, scene, sides_of(analysis.clip_from_world(), std::nullopt, scene));
 }
 
 }  // namespace psm::gl

@@ -2,26 +2,35 @@
 // The lit scene with shadows from the map.
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <memory>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "draw/view.h"
 #include "gl/gl_objects.h"
 #include "gl/renderer.h"
 #include "gl/scene_buffers.h"
+#include "gl/seen_rect.h"
 #include "gl/shadow_pass.h"
 
 namespace psm::gl {
 
+struct SceneUniforms;
+struct Side;
+
 class ScenePass {
  public:
-  explicit ScenePass(const std::filesystem::path& shaders);
+  explicit ScenePass(const std::filesystem::path& shaders) : shaders_(shaders) {}
 
   /// ScenePicture::shadowed and ::projective, into the bound framebuffer, with depth; a heat map instead of the lit scene, and
   /// the texel grid over it, where the picture asks for them.
   void draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map, double scale,
             Theme theme, const glm::vec4& ground);
+
+  /// Where draw() may change pixels.
+  static PixelRect reach(const ViewPicture& picture, const SceneBuffers& scene, glm::ivec2 size, double scale);
 
   /// The eye's image, into the bound framebuffer: a MapVerdict in red and the lit fraction in green where there is a triangle.
   void draw_verdicts(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map);
@@ -30,16 +39,19 @@ class ScenePass {
   void draw_surface_points(const Analysis& analysis, const SceneBuffers& scene);
 
  private:
-  // Without and with fragments that may be discarded.
-  using Pair = std::array<Program, 2>;
-  /// The pair for these settings: `plain`, or where points are shifted or comparisons averaged, `lookup`, made when first asked
-  /// for.
-  Pair& pair_for(const ShadowSettings& shadow, Pair& plain, std::unique_ptr<Pair>& lookup, const char* defines);
+  /// How a scene is drawn: the fragment shader, #define lines for it, and what it needs besides SceneUniforms.
+  struct Shading {
+    std::string fragment = "scene", defines = {};
+    std::function<void(Program&)> set = {};
+  };
+  static Shading lit(const Analysis& analysis, const ShadowPass& map, const std::string& defines = "");
+  void draw_scene(const Shading& shading, const SceneUniforms& values, const SceneBuffers& scene, const std::vector<Side>& sides);
+  /// Made when first asked for: a loop over maps, filters, a texture or a spot's cone that is not there cost software renderers
+  /// as much as one that is.
+  Program& program(const std::string& fragment, const std::string& defines);
 
   std::filesystem::path shaders_;
-  Pair one_map_, many_maps_;  // a loop over maps costs software renderers much even where there is one
-  Pair verdicts_, heat_, grid_, surface_points_;
-  std::unique_ptr<Pair> lookup_shading_, lookup_verdicts_;
+  std::map<std::string, Program> programs_;  // by their fragment shaders' names and defines
 };
 
 }  // namespace psm::gl

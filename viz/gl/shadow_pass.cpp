@@ -47,7 +47,9 @@ int allocate_depth(int resolution, int layers) {
 }  // namespace
 
 ShadowPass::ShadowPass(const std::filesystem::path& shaders)
-    : program_(shaders, "shadow", "shadow"),
+    : solid_program_(shaders, "shadow", "shadow"),
+      cutoff_program_(shaders, "shadow", "shadow", "#define MAY_DISCARD\n"),
+      textured_cutoff_program_(shaders, "shadow", "shadow", "#define MAY_DISCARD\n#define TEXTURED\n"),
       blocks_program_(shaders, "fullscreen", "depth_blocks"),
       bits_program_(shaders, "fullscreen", "depth_bits") {
   set_sampler(comparison_, GL_COMPARE_REF_TO_TEXTURE, GL_NEAREST);
@@ -112,16 +114,19 @@ void ShadowPass::draw(const SceneBuffers& scene, const Analysis& analysis) {
 }
 
 void ShadowPass::draw_layer(const SceneBuffers& scene, std::size_t layer, const ConvexBody& casters) {
-  program_.use();
-  program_.set("u_map_from_local", maps_from_local_[layer]);
-  program_.set("u_texture", 0);
   scene.bind();
   glFrontFace(front_is_clockwise(drawn_->maps[layer]) ? GL_CW : GL_CCW);  // as the light sees it
   for (const Batch& batch : scene.batches()) {
     if (batch.primitive != Primitive::triangles) continue;
     const bool culls = drawn_->cull != Cull::none && !scene.material(batch).double_sided;
     (culls ? glEnable : glDisable)(GL_CULL_FACE);
-    scene.bind_material(batch, program_);
+    Program& program = !(scene.material(batch).alpha_cutoff > 0.0f) ? solid_program_
+                       : scene.textured(batch)                      ? textured_cutoff_program_
+                                                                    : cutoff_program_;
+    program.use();
+    program.set("u_map_from_local", maps_from_local_[layer]);
+    program.set("u_texture", 0);
+    scene.bind_material(batch, program);
     triangles_drawn_ += scene.draw_inside(batch, casters) / 3;
   }
 }

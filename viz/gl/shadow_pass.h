@@ -62,7 +62,7 @@ class ShadowPass {
   void allocate(int resolution, int layers);
   void draw_layer(const SceneBuffers& scene, std::size_t layer, const ConvexBody& casters);
 
-  Program program_, blocks_program_, bits_program_;
+  Program solid_program_, cutoff_program_, textured_cutoff_program_, blocks_program_, bits_program_;
   GlTexture depth_, blocks_;
   Sampler comparison_, weighted_comparison_, reading_;
   Framebuffer framebuffer_, blocks_framebuffer_;

@@ -34,6 +34,15 @@ glm::ivec2 allowed_size(glm::ivec2 size) {
   return glm::clamp(size, glm::ivec2(1), glm::ivec2(largest));
 }
 
+void clear(const PixelRect& rect, const glm::vec4& rgba) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(rect.left, rect.bottom, std::max(0, rect.right - rect.left), std::max(0, rect.top - rect.bottom));
+  const float far_end = 1.0f;
+  glClearBufferfv(GL_COLOR, 0, &rgba.r);
+  glClearBufferfv(GL_DEPTH, 0, &far_end);
+  glDisable(GL_SCISSOR_TEST);
+}
+
 MultisampleTarget::MultisampleTarget() : samples_(std::min(kSamples, limit(GL_MAX_SAMPLES))) {}
 
 void MultisampleTarget::reserve(glm::ivec2 size) {
@@ -53,6 +62,12 @@ void MultisampleTarget::reserve(glm::ivec2 size) {
   reserve(size);
 }
 
+void MultisampleTarget::clear(const PixelRect& rect, const glm::vec4& rgba) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  const std::int64_t asked = std::int64_t(rect.right - rect.left) * (rect.top - rect.bottom);
+  gl::clear(2 * asked > std::int64_t(size_.x) * size_.y ? PixelRect{0, 0, size_.x, size_.y} : rect, rgba);
+}
+
 void ViewTarget::resize(glm::ivec2 size) {
   if (size == size_) return;
   size_ = size;
@@ -64,14 +79,13 @@ void ViewTarget::resize(glm::ivec2 size) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.get(), 0);
-  // The overlay's depth is attached again after the picture is resolved: a smaller one would cut what is resolved.
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
 }
 
-void ViewTarget::resolve_from(const MultisampleTarget& source) {
+void ViewTarget::resolve_from(const MultisampleTarget& source, const PixelRect& rect) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, source.framebuffer());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.get());
-  glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBlitFramebuffer(rect.left, rect.bottom, rect.right, rect.top, rect.left, rect.bottom, rect.right, rect.top,
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 std::vector<std::uint8_t> ViewTarget::read_top_to_bottom() const { return read_rows(framebuffer_, size_); }

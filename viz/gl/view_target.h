@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gl/gl_objects.h"
+#include "gl/seen_rect.h"
 
 namespace psm::gl {
 
@@ -15,6 +16,8 @@ class MultisampleTarget {
  public:
   MultisampleTarget();
   void reserve(glm::ivec2 size);
+  /// Bound afterwards. To this colour and the far end, in `rect` at least: clearing all is the fastest where most is asked for.
+  void clear(const PixelRect& rect, const glm::vec4& rgba) const;
   GLuint framebuffer() const { return framebuffer_.get(); }
 
  private:
@@ -28,7 +31,8 @@ class MultisampleTarget {
 class ViewTarget {
  public:
   void resize(glm::ivec2 size);
-  void resolve_from(const MultisampleTarget& source);
+  /// The rest of it stays.
+  void resolve_from(const MultisampleTarget& source, const PixelRect& rect);
   GLuint framebuffer() const { return framebuffer_.get(); }
   GLuint texture() const { return texture_.get(); }
   glm::ivec2 size() const { return size_; }
@@ -51,6 +55,9 @@ class PlainTarget {
   Renderbuffer color_, depth_;
   glm::ivec2 size_;
 };
+
+/// Of the framebuffer in use, to this colour and the far end.
+void clear(const PixelRect& rect, const glm::vec4& rgba);
 
 /// At least 1x1, at most what this context can draw to.
 glm::ivec2 allowed_size(glm::ivec2 size);
