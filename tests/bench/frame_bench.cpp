@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A full frame (the shadow map and all four views afresh, without a window) beside bare draws of the same triangles in the same
-// run: the map's, and those of world, cube and eye once each, with the simplest shaders, into framebuffers of the same sizes and
-// samples, cleared and resolved alike: `ratio`. Beside the frame's own pictures without what is drawn over them, that is with the
-// very same shading: `ratio_shaded`. One row a scene; they take turns, medians over the iterations. All times wait until
-// everything is drawn. The renderer is named in the context above the rows.
+// run: the map's, and those of world, cube and eye once each, in one draw call, into framebuffers of the same sizes and samples,
+// cleared and resolved alike. `ratio`: beside bare draws in one grey. `ratio_lit`: beside bare draws with the least shading that
+// shows shadows (Lambert's cosine, one comparison with the map, gamma), written down here and not taken from the renderer.
+// `ratio_own`: beside the frame's own pictures without what is drawn over them. One row a scene; they take turns, medians over
+// the iterations. All times wait until everything is drawn. The renderer is named in the context above the rows.
 //   frame_bench [--benchmark_filter=chessboard]
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
@@ -25,8 +26,24 @@ namespace {
 constexpr glm::ivec2 kSize(640, 360);  // of each view
 constexpr int kIterations = 25;
 
-constexpr const char* kVertex = "layout(location = 0) in vec3 a; uniform mat4 m; void main() { gl_Position = m * vec4(a, 1.0); }";
-constexpr const char* kFragment = "out vec4 o; void main() { o = vec4(0.5, 0.5, 0.5, 1.0); }";
+constexpr const char* kFlatVertex =
+    "layout(location = 0) in vec3 a; uniform mat4 m; void main() { gl_Position = m * vec4(a, 1.0); }";
+constexpr const char* kFlatFragment = "out vec4 o; void main() { o = vec4(0.5, 0.5, 0.5, 1.0); }";
+
+constexpr const char* kLitVertex = R"(
+layout(location = 0) in vec3 a; layout(location = 1) in vec3 b; layout(location = 2) in vec3 c;
+uniform mat4 m; out vec3 position, normal, color;
+void main() { gl_Position = m * vec4(a, 1.0); position = a; normal = b; color = c; })";
+constexpr const char* kLitFragment = R"(
+in vec3 position, normal, color; uniform mat4 map; uniform vec4 light; uniform highp sampler2DShadow shadow; out vec4 o;
+void main() {
+  vec4 q = map * vec4(position, 1.0);
+  vec3 at = 0.5 * q.xyz / q.w + 0.5;
+  at.z -= 0.001;
+  float lit = all(lessThan(abs(at - 0.5), vec3(0.5))) ? texture(shadow, at) : 1.0;
+  vec3 n = normalize(gl_FrontFacing ? normal : -normal), l = normalize(light.xyz - light.w * position);
+  o = vec4(pow(color * (0.2 + 0.05 * n.y + 0.7 * lit * max(dot(n, l), 0.0)), vec3(1.0 / 2.2)), 1.0);
+})";
 
 GLuint compiled(GLenum kind, const char* body) {
   const std::string source =
@@ -38,10 +55,10 @@ GLuint compiled(GLenum kind, const char* body) {
   return shader;
 }
 
-GLuint linked() {
+GLuint linked(const char* vertex, const char* fragment) {
   const GLuint program = glCreateProgram();
-  glAttachShader(program, compiled(GL_VERTEX_SHADER, kVertex));
-  glAttachShader(program, compiled(GL_FRAGMENT_SHADER, kFragment));
+  glAttachShader(program, compiled(GL_VERTEX_SHADER, vertex));
+  glAttachShader(program, compiled(GL_FRAGMENT_SHADER, fragment));
   glLinkProgram(program);
   GLint ok = 0;
   glGetProgramiv(program, GL_LINK_STATUS, &ok);
@@ -49,27 +66,38 @@ GLuint linked() {
   return program;
 }
 
+struct BareVertex {
+  glm::vec3 position, normal, color;
+};
+
 /// All triangles of the scene in one draw call, as one would write it down.
 class Bare {
  public:
-  Bare(const Scene& scene, int resolution) : program_(linked()), resolution_(resolution) {
-    std::vector<glm::vec3> positions;
+  Bare(const Scene& scene, int resolution)
+      : flat_(linked(kFlatVertex, kFlatFragment)), lit_(linked(kLitVertex, kLitFragment)), resolution_(resolution) {
+    std::vector<BareVertex> vertices;
     std::vector<std::uint32_t> indices;
     for (const Mesh& mesh : scene.meshes) {
-      for (const std::uint32_t i : mesh.triangles) indices.push_back(std::uint32_t(positions.size()) + i);
-      positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
+      for (const std::uint32_t i : mesh.triangles) indices.push_back(std::uint32_t(vertices.size()) + i);
+      const glm::vec3 color(scene.materials[std::size_t(mesh.material)].base_color);
+      for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        vertices.push_back({mesh.positions[i], mesh.normals.empty() ? glm::vec3(0.0f, 1.0f, 0.0f) : mesh.normals[i], color});
     }
     count_ = GLsizei(indices.size());
     glBindVertexArray(array_.get());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(positions.size() * sizeof(glm::vec3)), positions.data(), GL_STATIC_DRAW);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
-    glEnableVertexAttribArray(0);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(BareVertex)), vertices.data(), GL_STATIC_DRAW);
+    const gl::Attribute attributes[] = {
+        {0, 3, offsetof(BareVertex, position)}, {1, 3, offsetof(BareVertex, normal)}, {2, 3, offsetof(BareVertex, color)}};
+    gl::declare_attributes(sizeof(BareVertex), attributes);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(std::uint32_t)), indices.data(), GL_STATIC_DRAW);
     glBindVertexArray(0);
     glBindTexture(GL_TEXTURE_2D, map_.get());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, resolution, resolution, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glBindFramebuffer(GL_FRAMEBUFFER, map_framebuffer_.get());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map_.get(), 0);
     const GLenum none = GL_NONE;
@@ -77,34 +105,48 @@ class Bare {
     multisample_.reserve(kSize);
     for (gl::ViewTarget& view : views_) view.resize(kSize);
   }
-  ~Bare() { glDeleteProgram(program_); }
+  ~Bare() {
+    glDeleteProgram(flat_);
+    glDeleteProgram(lit_);
+  }
 
-  void draw(const Analysis& analysis, const std::array<ViewPicture, 4>& pictures) {
+  void draw(const Analysis& analysis, const std::array<ViewPicture, 4>& pictures, bool lit) {
     glEnable(GL_DEPTH_TEST);
     glBindFramebuffer(GL_FRAMEBUFFER, map_framebuffer_.get());
     glViewport(0, 0, resolution_, resolution_);
     glClear(GL_DEPTH_BUFFER_BIT);
-    triangles(*analysis.map_from_world);
+    triangles(flat_, *analysis.map_from_world);
+    if (lit) set_light(analysis);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       glBindFramebuffer(GL_FRAMEBUFFER, multisample_.framebuffer());
       glViewport(0, 0, kSize.x, kSize.y);
       glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-      if (pictures[i].scene != ScenePicture::map_depth) triangles(pictures[i].clip_from_world);
-      views_[i].resolve_from(multisample_);
+      if (pictures[i].scene != ScenePicture::map_depth) triangles(lit ? lit_ : flat_, pictures[i].clip_from_world);
+      views_[i].resolve_from(multisample_, {0, 0, kSize.x, kSize.y});
     }
   }
 
  private:
-  void triangles(const glm::dmat4& clip_from_world) const {
+  void set_light(const Analysis& analysis) const {
+    const auto map = gl::narrow(*analysis.map_from_world);
+    if (!map) return;
+    const glm::vec4 light(analysis.light);
+    glUseProgram(lit_);
+    glUniformMatrix4fv(glGetUniformLocation(lit_, "map"), 1, GL_FALSE, &(*map)[0][0]);
+    glUniform4fv(glGetUniformLocation(lit_, "light"), 1, &light.x);
+    glBindTexture(GL_TEXTURE_2D, map_.get());
+  }
+
+  void triangles(GLuint program, const glm::dmat4& clip_from_world) const {
     const auto matrix = gl::narrow(clip_from_world);
     if (!matrix) return;
-    glUseProgram(program_);
-    glUniformMatrix4fv(glGetUniformLocation(program_, "m"), 1, GL_FALSE, &(*matrix)[0][0]);
+    glUseProgram(program);
+    glUniformMatrix4fv(glGetUniformLocation(program, "m"), 1, GL_FALSE, &(*matrix)[0][0]);
     glBindVertexArray(array_.get());
     glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
   }
 
-  GLuint program_;
+  GLuint flat_, lit_;
   int resolution_;
   GLsizei count_ = 0;
   gl::VertexArray array_;
@@ -121,8 +163,8 @@ double median(std::vector<double> values) {
 }
 
 /// Milliseconds by the wall clock of each part, one entry an iteration.
-using Times = std::array<std::vector<double>, 8>;
-constexpr std::array<const char*, 8> kParts{"map", "world", "cube", "mapview", "eye", "frame", "bare", "shaded"};
+using Times = std::array<std::vector<double>, 9>;
+constexpr std::array<const char*, 9> kParts{"map", "world", "cube", "mapview", "eye", "frame", "bare", "bare_lit", "own"};
 
 std::array<ViewPicture, 4> described(const Analysis& analysis, const Scene& scene) {
   std::array<ViewPicture, 4> pictures;
@@ -179,15 +221,18 @@ void four_views(benchmark::State& state, const std::string& id) {
   for (auto _ : state) {
     times[5].push_back(frame(renderer, analysis, scene, timer));
     gl::reset_state();
-    times[6].push_back(timer.time([&] { bare.draw(analysis, pictures); }).wall * 1e3);
+    times[6].push_back(timer.time([&] { bare.draw(analysis, pictures, false); }).wall * 1e3);
     gl::reset_state();
-    times[7].push_back(shaded(renderer, analysis, pictures, timer));
+    times[7].push_back(timer.time([&] { bare.draw(analysis, pictures, true); }).wall * 1e3);
+    gl::reset_state();
+    times[8].push_back(shaded(renderer, analysis, pictures, timer));
     time_parts(renderer, analysis, scene, timer, times);
     state.SetIterationTime(times[5].back() * 1e-3);
   }
   for (std::size_t i = 0; i < kParts.size(); ++i) state.counters[kParts[i]] = median(times[i]);
   state.counters["ratio"] = median(times[5]) / median(times[6]);
-  state.counters["ratio_shaded"] = median(times[5]) / median(times[7]);
+  state.counters["ratio_lit"] = median(times[5]) / median(times[7]);
+  state.counters["ratio_own"] = median(times[5]) / median(times[8]);
 }
 
 }  // namespace
