@@ -7,6 +7,7 @@
 #include "draw/sketch.h"
 #include "scene/eye_and_light.h"
 #include "scene/texel_sampling.h"
+#include "scene/visible_receivers.h"
 
 namespace psm {
 namespace {
@@ -40,14 +41,8 @@ std::string statistics_text(const TexelStatistics& t) {
 
 /// Stand-ins for visible surfaces: where view rays leave R through the scene's bounds, on the side that the light reaches.
 std::vector<SurfacePoint> receivers(const Analysis& a) {
-  constexpr int columns = 32, rows = 18;
   const ViewFrame view = camera_frame(a.experiment);
-  std::vector<SurfacePoint> points;
-  for (int i = 0; i < columns * rows; ++i) {
-    const double x = (2.0 * (i % columns) + 1) / columns - 1, y = (2.0 * (i / columns) + 1) / rows - 1;
-    const auto p = far_side(a.receivers_body, view.eye, view.at(x, y, 1) - view.eye);
-    if (p && glm::dot(p->normal, glm::dvec3(a.light) - a.light.w * p->position) > 0.0) points.push_back(*p);
-  }
+  std::vector<SurfacePoint> points = face_points(view, a);
   return points.empty() ? sample_receivers(view, a) : points;
 }
 

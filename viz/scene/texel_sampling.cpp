@@ -8,27 +8,6 @@
 namespace psm {
 namespace {
 
-/// The part of a ray inside a body, as distances, and the plane through which it leaves.
-struct Passage {
-  double enter = 0, leave = std::numeric_limits<double>::infinity();
-  const Plane* exit = nullptr;
-  explicit operator bool() const { return exit && enter <= leave; }
-};
-
-Passage pass_through(const ConvexBody& body, const glm::dvec3& origin, const glm::dvec3& along) {
-  Passage out;
-  for (const Plane& p : body.planes) {
-    const double at = glm::dot(p, glm::dvec4(origin, 1)), slope = glm::dot(glm::dvec3(p), along);
-    if (slope > 0) out.enter = std::max(out.enter, -at / slope);
-    if (slope == 0 && at < 0) return {};
-    if (slope < 0 && -at / slope < out.leave) {
-      out.leave = -at / slope;
-      out.exit = &p;
-    }
-  }
-  return out;
-}
-
 bool bounds_scene(const Plane& p) {
   const bool side_of_box = p.id >= PlaneId::min_x && p.id <= PlaneId::max_z;
   return side_of_box || p.id == PlaneId::given;
@@ -65,11 +44,12 @@ TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint
 std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis& analysis) {
   constexpr int columns = 8, rows = 5;
   std::vector<SurfacePoint> points;
+  const RaysFrom rays(analysis.receivers_body, view.eye);
   for (int i = 0; i < columns * rows; ++i) {
     const double x = (2.0 * (i % columns) + 1) / columns - 1, y = (2.0 * (i / columns) + 1) / rows - 1;
     const glm::dvec3 direction = view.at(x, y, 1) - view.eye;
-    const Passage inside = pass_through(analysis.receivers_body, view.eye, direction);
-    if (!inside) continue;
+    const RaysFrom::Passage inside = rays.pass(direction);
+    if (!inside.exit) continue;
     for (const double t : {inside.enter, (inside.enter + inside.leave) / 2, inside.leave}) {
       const glm::dvec3 p = view.eye + t * direction;
       const glm::dvec3 to_light = safe_normalize(glm::dvec3(analysis.light) - analysis.light.w * p);
@@ -79,10 +59,29 @@ std::vector<SurfacePoint> sample_receivers(const ViewFrame& view, const Analysis
   return points;
 }
 
-std::optional<SurfacePoint> far_side(const ConvexBody& body, const glm::dvec3& origin, const glm::dvec3& along) {
-  const Passage inside = pass_through(body, origin, along);
-  if (!inside || !bounds_scene(*inside.exit)) return std::nullopt;
-  return SurfacePoint{origin + inside.leave * along, safe_normalize(glm::dvec3(*inside.exit))};
+RaysFrom::RaysFrom(const ConvexBody& body, const glm::dvec3& origin) : body_(body), origin_(origin) {
+  for (const Plane& p : body.planes) heights_.push_back(glm::dot(p, glm::dvec4(origin, 1)));
+}
+
+/// Distances stay fractions, height over slope, until the last of them is known: divisions are the slowest part.
+RaysFrom::Passage RaysFrom::pass(const glm::dvec3& along) const {
+  double enter_height = 0, enter_slope = 1, leave_height = 1, leave_slope = 0;
+  const Plane* exit = nullptr;
+  for (std::size_t i = 0; i < heights_.size(); ++i) {
+    const Plane& p = body_.planes[i];
+    const double height = heights_[i], slope = glm::dot(glm::dvec3(p), along);
+    if (slope == 0 && height < 0) return {};
+    if (slope > 0 && -height * enter_slope > enter_height * slope) enter_height = -height, enter_slope = slope;
+    if (slope < 0 && height * leave_slope < leave_height * -slope) leave_height = height, leave_slope = -slope, exit = &p;
+  }
+  const double enter = enter_height / enter_slope, leave = leave_height / leave_slope;
+  return exit && enter <= leave ? Passage{enter, leave, exit} : Passage{};
+}
+
+std::optional<SurfacePoint> RaysFrom::far_side(const glm::dvec3& along) const {
+  const Passage inside = pass(along);
+  if (!inside.exit || !bounds_scene(*inside.exit)) return std::nullopt;
+  return SurfacePoint{origin_ + inside.leave * along, safe_normalize(glm::dvec3(*inside.exit))};
 }
 
 double texel_percentile(std::span<const SurfacePoint> points, const glm::dmat4& map_from_world, const Analysis& analysis,

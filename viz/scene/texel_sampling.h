@@ -29,9 +29,27 @@ std::optional<MapAt> map_at(const Analysis& analysis, const glm::dvec3& position
 TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint& point);
 TexelFootprint<double> footprint_at(const Analysis& analysis, const SurfacePoint& point, glm::ivec2 pixels);
 
-/// Where the ray (from outside or inside, `along` of any length) leaves the body, with the normal of the face there, inwards;
-/// nothing where it misses the body or leaves it through a face of V rather than of S.
-std::optional<SurfacePoint> far_side(const ConvexBody& body, const glm::dvec3& origin, const glm::dvec3& along);
+/// Rays from one place (outside or inside) through a convex body, which must outlive this.
+class RaysFrom {
+ public:
+  RaysFrom(const ConvexBody& body, const glm::dvec3& origin);
+
+  /// The part of the ray inside the body, in multiples of `along`, and the plane through which it leaves; null where it misses.
+  struct Passage {
+    double enter = 0, leave = 0;
+    const Plane* exit = nullptr;
+  };
+  Passage pass(const glm::dvec3& along) const;
+
+  /// Where the ray leaves the body, with the normal of the face there, inwards; nothing where it misses the body or leaves it
+  /// through a face of V rather than of S.
+  std::optional<SurfacePoint> far_side(const glm::dvec3& along) const;
+
+ private:
+  const ConvexBody& body_;
+  glm::dvec3 origin_;
+  std::vector<double> heights_;  // of the origin over the planes
+};
 
 /// Percentile (0 to 1) of the texel size m in pixels over the points; infinite where the receiver holds the light ray.
 double texel_percentile(std::span<const SurfacePoint> points, const glm::dmat4& map_from_world, const Analysis& analysis,

@@ -63,13 +63,12 @@ ConvexBody visible_part(const ConvexBody& receivers, const ViewFrame& view, cons
 
 std::vector<SurfacePoint> face_points(const ViewFrame& view, const Analysis& analysis) {
   std::vector<SurfacePoint> points;
+  const RaysFrom rays(analysis.receivers_body, view.eye);
   for (int i = 0; i < kVisibleColumns * kVisibleRows; ++i) {
     const dvec3 along = view.at((2.0 * (i % kVisibleColumns) + 1) / kVisibleColumns - 1,
                                 (2.0 * (i / kVisibleColumns) + 1) / kVisibleRows - 1, 1) -
                         view.eye;
-    if (const auto p = far_side(analysis.receivers_body, view.eye, along);
-        p && faces_light(p->position, p->normal, analysis.light))
-      points.push_back(*p);
+    if (const auto p = rays.far_side(along); p && faces_light(p->position, p->normal, analysis.light)) points.push_back(*p);
   }
   return points;
 }
@@ -81,7 +80,13 @@ std::optional<dvec4> largest_flat_area(std::span<const SurfacePoint> points) {
   const double thickness = 1e-4 * std::max({x.size(), y.size(), z.size()});
   std::size_t most = 0;
   std::optional<dvec4> plane;
+  std::vector<const SurfacePoint*> counted;  // of points in one plane, up to rounding, the first stands for all
   for (const SurfacePoint& p : points) {
+    const bool known = std::any_of(counted.begin(), counted.end(), [&](const SurfacePoint* q) {
+      return p.normal == q->normal && std::abs(glm::dot(p.normal, q->position - p.position)) <= 1e-6 * thickness;
+    });
+    if (known) continue;
+    counted.push_back(&p);
     const auto on_it = [&](const SurfacePoint& q) {
       return glm::dot(p.normal, q.normal) > cosine && std::abs(glm::dot(p.normal, q.position - p.position)) <= thickness;
     };
