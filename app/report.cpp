@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 struct Shard {
   std::size_t index = 0, count = 1;
   bool has(std::size_t run, std::size_t runs) const { return run * count / runs == index; }
+  std::string file() const { return std::to_string(index + 1) + "-of-" + std::to_string(count) + ".csv"; }
 };
 
 Result<Shard> parse_shard(const std::optional<std::string>& text) {
@@ -47,32 +49,45 @@ std::optional<InputError> make_folders(const std::string& out) {
   return std::nullopt;
 }
 
-/// Rows of another study must not be mixed with this one's.
-std::optional<InputError> check_study(const std::vector<StudyRow>& rows, const std::string& out, const std::string& fingerprint) {
-  if (rows.empty() || rows[0].study == fingerprint) return std::nullopt;
-  return InputError{"--out: " + quoted_argument(out) + " holds rows of another study (" + rows[0].study + ", not " + fingerprint +
-                    "); allowed: a folder without rows, or the same command with the same build again"};
+/// By the fingerprint that their rows have.
+using Studies = std::map<std::string, Study>;
+
+void add_study(Studies& studies, bool quick) {
+  Study study = default_study(quick);
+  studies.emplace(fingerprint(study, PSMLAB_VERSION), std::move(study));
 }
 
-/// Measures what is missing of this shard. False where the user interrupted it.
-Result<bool> measure_missing(const Study& study, const Shard& shard, const std::string& out,
-                             const std::vector<StudyRow>& finished) {
+RowCheck row_of_one_of(const Studies& studies) {
+  return [&studies](const StudyRow& row) -> std::optional<std::string> {
+    const auto study = studies.find(row.study);
+    if (study == studies.end())
+      return "a row of another study, " + row.study +
+             "; allowed: rows of the same build of psmlab, and to go on: of the same command";
+    if (!is_row_of(study->second, row))
+      return "not what run " + number_text(row.run) + " of its study asks for; allowed: rows as psmlab wrote them";
+    return std::nullopt;
+  };
+}
+
+/// What this shard has still to measure.
+std::vector<std::size_t> missing_runs(const Study& study, const Shard& shard, const std::vector<StudyRow>& finished) {
   std::set<std::size_t> have;
   for (const StudyRow& row : finished) have.insert(std::size_t(row.run));
   std::vector<std::size_t> missing;
   for (std::size_t run = 0; run < study.runs.size(); ++run)
     if (shard.has(run, study.runs.size()) && !have.count(run)) missing.push_back(run);
-  if (missing.empty()) return true;
-  auto runner = StudyRunner::create(study);
-  if (!runner) return runner.error();
-  const std::string name = std::to_string(shard.index + 1) + "-of-" + std::to_string(shard.count) + ".csv";
-  auto journal = Journal::open(rows_folder(out) / name);
+  return missing;
+}
+
+/// False where the user interrupted it.
+Result<bool> measure_runs(StudyRunner& runner, const std::vector<std::size_t>& runs, const fs::path& journal_file) {
+  auto journal = Journal::open(journal_file);
   if (!journal) return journal.error();
   const Interruptible interruptible;
-  Progress progress(missing.size());
-  for (const std::size_t run : missing) {
+  Progress progress(runs.size());
+  for (const std::size_t run : runs) {
     if (Interruptible::asked()) return false;
-    if (auto error = journal->append((*runner)->measure(run))) return *error;
+    if (auto error = journal->append(runner.measure(run))) return *error;
     progress.finished_one();
   }
   return true;
@@ -102,15 +117,6 @@ std::optional<InputError> write_report(const std::vector<StudyRow>& rows, std::s
   return std::nullopt;
 }
 
-/// How many runs the study of these rows has: it is one that this program knows, or its rows would have been refused.
-std::size_t planned_runs(const std::vector<StudyRow>& rows) {
-  for (const bool quick : {false, true}) {
-    const Study study = default_study(quick);
-    if (!rows.empty() && fingerprint(study, PSMLAB_VERSION) == rows[0].study) return study.runs.size();
-  }
-  return rows.size();
-}
-
 int merge(const ReportArguments& arguments) {
   if (arguments.quick || arguments.shard)
     return bad_input({"--merge: with --quick or --shard; allowed: alone, since it measures nothing"});
@@ -122,31 +128,41 @@ int merge(const ReportArguments& arguments) {
     folders.push_back(rows_folder(folder));
   }
   folders.push_back(rows_folder(arguments.out));  // what is there already must belong to the same study
-  const auto rows = read_journals(folders);
+  Studies studies;
+  for (const bool quick : {false, true}) add_study(studies, quick);
+  const auto rows = read_journals(folders, row_of_one_of(studies));
   if (!rows) return bad_input(rows.error());
+  const std::size_t planned = rows->empty() ? 0 : studies.at(rows->front().study).runs.size();
   if (auto error = make_folders(arguments.out)) return bad_input(*error);
   // As a journal of the new report, so that it can be merged, and gone on with, in its turn.
   std::string journal = csv_header();
   for (const StudyRow& row : *rows) journal += csv_line(row);
   if (auto error = write_file_atomically(rows_folder(arguments.out) / "merged.csv", journal)) return bad_input(*error);
-  if (auto error = write_report(*rows, planned_runs(*rows), arguments.out)) return bad_input(*error);
+  if (auto error = write_report(*rows, planned, arguments.out)) return bad_input(*error);
   return finish_printing(print((fs::path(arguments.out) / "index.html").string() + "\n"));
 }
 
 int measure_and_write(const ReportArguments& arguments) {
   const auto shard = parse_shard(arguments.shard);
   if (!shard) return bad_input(shard.error());
-  const Study study = default_study(arguments.quick);
-  const auto finished = read_journals({rows_folder(arguments.out)});
+  Studies studies;
+  add_study(studies, arguments.quick);
+  const Study& study = studies.begin()->second;
+  const auto finished = read_journals({rows_folder(arguments.out)}, row_of_one_of(studies));
   if (!finished) return bad_input(finished.error());
-  if (auto error = check_study(*finished, arguments.out, fingerprint(study, PSMLAB_VERSION))) return bad_input(*error);
   if (auto error = make_folders(arguments.out)) return bad_input(*error);
-  const auto complete = measure_missing(study, *shard, arguments.out, *finished);
-  if (!complete) return other_failure(complete.error());
-  const auto rows = read_journals({rows_folder(arguments.out)});
+  bool complete = true;
+  if (const auto missing = missing_runs(study, *shard, *finished); !missing.empty()) {
+    const auto runner = StudyRunner::create(study);
+    if (!runner) return other_failure(runner.error());
+    const auto measured = measure_runs(**runner, missing, rows_folder(arguments.out) / shard->file());
+    if (!measured) return bad_input(measured.error());
+    complete = *measured;
+  }
+  const auto rows = read_journals({rows_folder(arguments.out)}, row_of_one_of(studies));
   if (!rows) return bad_input(rows.error());
   if (auto error = write_report(*rows, study.runs.size(), arguments.out)) return bad_input(*error);
-  if (!*complete) {
+  if (!complete) {
     complain("interrupted: " + std::to_string(rows->size()) + " of " + std::to_string(study.runs.size()) +
              " runs are measured; the same command goes on");
     return kOtherFailure;

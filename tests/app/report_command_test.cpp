@@ -120,6 +120,12 @@ TEST_F(ReportCommand, RefusesInOneLine) {
   const std::string study = rows_of(whole() / "rows.csv")[0].study;
   for (std::size_t at; (at = journal.find(study)) != std::string::npos;) journal.replace(at, study.size(), "0000000000000000");
   std::ofstream(folder.path() / "other/rows/1-of-1.csv") << journal;
+  // Somebody's rows would be written wherever they say.
+  fs::create_directories(folder.path() / "outside/rows");
+  journal = contents(whole() / "rows/1-of-1.csv");
+  for (std::size_t at; (at = journal.find(",ground,")) != std::string::npos;) journal.replace(at, 8, ",../../ground,");
+  std::ofstream(folder.path() / "outside/rows/1-of-1.csv") << journal;
+  fs::create_directories(folder.path() / "taken/rows/1-of-1.csv");
   fs::create_directories(folder.path() / "empty");
   std::ofstream(folder / "file") << "x";
   const std::vector<std::pair<std::vector<std::string>, const char*>> bad{
@@ -129,10 +135,12 @@ TEST_F(ReportCommand, RefusesInOneLine) {
       {{"report", "--quick", "--out", "x", "--shard", "3/2"}, "--shard: '3/2'"},
       {{"report", "--quick", "--out", "x", "--shard", "0/2"}, "--shard"},
       {{"report", "--quick", "--out", "x", "--shard", "1/2/3"}, "--shard"},
-      {{"report", "--quick", "--out", "other"}, "rows of another study"},
+      {{"report", "--quick", "--out", "other"}, "other/rows/1-of-1.csv: line 2: a row of another study"},
+      {{"report", "--quick", "--out", "taken"}, "taken/rows/1-of-1.csv: cannot be opened"},
       {{"report", "--out", "x", "--merge", "empty"}, "--merge: 'empty'"},
       {{"report", "--out", "x", "--merge", "other", "--quick"}, "--merge"},
-      {{"report", "--out", "x", "--merge", "other", whole().string()}, "different studies"}};
+      {{"report", "--out", "x", "--merge", whole().string(), "other"}, "other/rows/1-of-1.csv: line 2: a row of another study"},
+      {{"report", "--out", "x", "--merge", "outside"}, "outside/rows/1-of-1.csv: line 2: not what run 0"}};
   for (const auto& [arguments, expected] : bad) {
     const Outcome run = run_program(arguments, folder.path());
     EXPECT_EQ(run.code, 2) << expected;

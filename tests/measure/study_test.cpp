@@ -4,9 +4,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
+#include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -167,6 +171,35 @@ TEST(Study, HasAFingerprintOfEverythingThatMatters) {
   EXPECT_NE(fingerprint(changed, "1"), print);
 }
 
+TEST(Study, KnowsItsOwnRows) {
+  const Study study = default_study(true);
+  const std::size_t far = study.runs.size() - 1;  // of a scene with several far distances
+  const auto row_of = [&](std::size_t index) {
+    const StudyRun& run = study.runs[index];
+    const StudyScene& scene = study.scenes[run.scene];
+    StudyRow row;
+    row.run = double(index), row.scene = scene.name, row.technique = name_of(run.technique);
+    row.resolution = run.resolution, row.theta_deg = *run.theta_deg;
+    row.camera_far = run.far.value_or(scene.base.experiment.camera.far);
+    row.width = scene.base.experiment.image.width, row.height = scene.base.experiment.image.height;
+    return row;
+  };
+  for (std::size_t i = 0; i < study.runs.size(); ++i) EXPECT_TRUE(is_row_of(study, row_of(i))) << i;
+  const auto changed = [&](auto change) {
+    StudyRow row = row_of(far);
+    change(row);
+    return is_row_of(study, row);
+  };
+  for (const double run : {-1.0, double(far) - 0.5, double(far) + 1, 1e300, double(INFINITY), kNone, 0.0})
+    EXPECT_FALSE(changed([&](StudyRow& row) { row.run = run; })) << run;
+  EXPECT_FALSE(changed([](StudyRow& row) { row.scene = "../elsewhere"; }));
+  EXPECT_FALSE(changed([](StudyRow& row) { row.technique = "custom"; }));
+  EXPECT_FALSE(changed([](StudyRow& row) { row.resolution = 0; }));
+  EXPECT_FALSE(changed([](StudyRow& row) { row.theta_deg = kNone; }));
+  EXPECT_FALSE(changed([](StudyRow& row) { row.camera_far += 1; }));
+  EXPECT_FALSE(changed([](StudyRow& row) { row.width = kNone; }));
+}
+
 // ---- the error on the central line ----------------------------------------------------------------------------------------
 
 TEST(LineError, OfTheMapsIsTheClosedFormWhereItsAssumptionsHold) {
@@ -191,6 +224,8 @@ TEST(LineError, IsNothingWithoutASingleMapOrAlongTheView) {
 
 // ---- journals -------------------------------------------------------------------------------------------------------------
 
+std::optional<std::string> any_row(const StudyRow&) { return std::nullopt; }
+
 class JournalTest : public ::testing::Test {
  protected:
   JournalTest() : folder_(fs::temp_directory_path() / ("psmlab-journal-" + std::to_string(::getpid()))) {
@@ -204,14 +239,14 @@ class JournalTest : public ::testing::Test {
     for (const StudyRow& row : rows) EXPECT_FALSE(journal->append(row));
   }
   std::vector<double> runs() {
-    const auto rows = read_journals({folder_});
+    const auto rows = read_journals({folder_}, any_row);
     EXPECT_TRUE(rows) << rows.error().text;
     std::vector<double> numbers;
     for (const StudyRow& row : *rows) numbers.push_back(row.run);
     return numbers;
   }
-  std::string error() {
-    const auto rows = read_journals({folder_});
+  std::string error(const RowCheck& check = any_row) {
+    const auto rows = read_journals({folder_}, check);
     return rows ? "" : rows.error().text;
   }
 
@@ -241,12 +276,44 @@ TEST_F(JournalTest, RefusesWhatDoesNotBelongTogether) {
   StudyRow other = example(1);
   other.version = "2.0";
   write("b.csv", {other});
-  EXPECT_THAT(error(), HasSubstr("versions 1.0 and 2.0"));
+  EXPECT_THAT(error(), HasSubstr("b.csv: line 2: rows of versions 1.0 and 2.0"));
   fs::remove(folder_ / "b.csv");
   other = example(1);
   other.study = "xyz";
   write("b.csv", {other});
-  EXPECT_THAT(error(), HasSubstr("different studies, abc and xyz"));
+  EXPECT_THAT(error(), HasSubstr("b.csv: line 2: rows of different studies, abc and xyz"));
+}
+
+TEST_F(JournalTest, NamesTheLineOfARowThatIsRefused) {
+  write("a.csv", {example(0), example(1)});
+  const auto no_first = [](const StudyRow& row) {
+    return row.run == 1 ? std::optional<std::string>("not this one") : std::nullopt;
+  };
+  EXPECT_THAT(error(no_first), HasSubstr("a.csv: line 3: not this one"));
+}
+
+TEST_F(JournalTest, LeavesALinkThatLeadsNowhereAlone) {
+  write("a.csv", {example(0)});
+  fs::create_symlink("loop.csv", folder_ / "loop.csv");
+  fs::create_symlink("gone", folder_ / "gone.csv");
+  EXPECT_THAT(runs(), ElementsAre(0));
+}
+
+TEST_F(JournalTest, SaysWhyARowDoesNotFit) {
+  auto journal = Journal::open(folder_ / "a.csv");
+  ASSERT_TRUE(journal);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit nearly_full{rlim_t(fs::file_size(folder_ / "a.csv") + 10), before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &nearly_full), 0);
+  errno = ENOMEM;  // of something else
+  const auto error = journal->append(example(0));
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  ASSERT_TRUE(error);
+  EXPECT_THAT(error->text, ::testing::AllOf(HasSubstr("a.csv"), HasSubstr(std::strerror(EFBIG)), HasSubstr("allowed:")));
+  EXPECT_THAT(runs(), IsEmpty());
 }
 
 TEST_F(JournalTest, NamesTheLineThatIsNoRow) {
@@ -258,7 +325,7 @@ TEST_F(JournalTest, NamesTheLineThatIsNoRow) {
 }
 
 TEST_F(JournalTest, NoFolderHasNoRows) {
-  const auto rows = read_journals({folder_ / "none"});
+  const auto rows = read_journals({folder_ / "none"}, any_row);
   ASSERT_TRUE(rows);
   EXPECT_THAT(*rows, IsEmpty());
 }

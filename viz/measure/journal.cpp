@@ -10,6 +10,7 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <string_view>
 
 namespace psm {
 namespace {
@@ -17,12 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 
 InputError cannot(const fs::path& file, const char* what) {
-  return {file.string() + ": cannot be " + what + ": " + std::strerror(errno) + "; allowed: a file that may be written to"};
+  return {file.string() + ": cannot be " + what + ": " + std::strerror(errno) +
+          "; allowed: a file that may be read and written, on a disk with room"};
 }
 
-std::string text_of(const fs::path& file) {
+Result<std::string> text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return cannot(file, "read");
   std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
+  text << stream.rdbuf();
   return text.str();
 }
 
@@ -32,12 +36,30 @@ std::string whole_lines(std::string text) {
   return text;
 }
 
-bool write_all(int descriptor, const std::string& text) {
-  return ::write(descriptor, text.data(), text.size()) == ssize_t(text.size()) && ::fsync(descriptor) == 0;
+/// In one piece, but where the disk is full: the second piece says so.
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written <= 0) return false;
+    text.remove_prefix(std::size_t(written));
+  }
+  return ::fsync(descriptor) == 0;
 }
 
-std::optional<InputError> read_journal(const fs::path& file, std::vector<StudyRow>& rows) {
-  std::istringstream lines(whole_lines(text_of(file)));
+std::optional<InputError> check_same(const StudyRow& first, const StudyRow& row, const std::string& place) {
+  if (row.version != first.version)
+    return InputError{place + ": rows of versions " + first.version + " and " + row.version +
+                      " of psmlab; allowed: rows of one version"};
+  if (row.study != first.study)
+    return InputError{place + ": rows of different studies, " + first.study + " and " + row.study +
+                      " (other scenes, experiments or runs); allowed: rows of one study"};
+  return std::nullopt;
+}
+
+std::optional<InputError> read_journal(const fs::path& file, const RowCheck& check, std::vector<StudyRow>& rows) {
+  const auto text = text_of(file);
+  if (!text) return text.error();
+  std::istringstream lines(whole_lines(*text));
   const std::string header = csv_header();
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -48,19 +70,10 @@ std::optional<InputError> read_journal(const fs::path& file, std::vector<StudyRo
     }
     const auto row = row_from_csv(line);
     if (!row) return InputError{place + ": not a row; allowed: " + std::to_string(study_columns().size()) + " values"};
+    if (!rows.empty())
+      if (auto error = check_same(rows[0], *row, place)) return error;
+    if (const auto wrong = check(*row)) return InputError{place + ": " + *wrong};
     rows.push_back(*row);
-  }
-  return std::nullopt;
-}
-
-std::optional<InputError> check_same(const std::vector<StudyRow>& rows) {
-  for (const StudyRow& row : rows) {
-    if (row.version != rows[0].version)
-      return InputError{"rows of versions " + rows[0].version + " and " + row.version +
-                        " of psmlab; allowed: rows of one version"};
-    if (row.study != rows[0].study)
-      return InputError{"rows of different studies, " + rows[0].study + " and " + row.study +
-                        " (other scenes, experiments or runs); allowed: rows of one study"};
   }
   return std::nullopt;
 }
@@ -71,7 +84,9 @@ Result<Journal> Journal::open(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor < 0) return cannot(file, "opened");
   Journal journal(file, descriptor);
-  const std::string kept = whole_lines(text_of(file));
+  const auto text = text_of(file);
+  if (!text) return text.error();
+  const std::string kept = whole_lines(*text);
   if (::ftruncate(descriptor, off_t(kept.size())) != 0) return cannot(file, "shortened");
   if (kept.empty() && !write_all(descriptor, csv_header())) return cannot(file, "written");
   return journal;
@@ -88,18 +103,17 @@ std::optional<InputError> Journal::append(const StudyRow& row) {
   return cannot(file_, "written");
 }
 
-Result<std::vector<StudyRow>> read_journals(const std::vector<fs::path>& folders) {
+Result<std::vector<StudyRow>> read_journals(const std::vector<fs::path>& folders, const RowCheck& check) {
   std::vector<fs::path> files;
   for (const fs::path& folder : folders) {
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-      if (entry.is_regular_file() && entry.path().extension() == ".csv") files.push_back(entry.path());
+      if (fs::is_regular_file(entry.path(), error) && entry.path().extension() == ".csv") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   std::vector<StudyRow> rows;
   for (const fs::path& file : files)
-    if (auto error = read_journal(file, rows)) return *error;
-  if (auto error = check_same(rows)) return *error;
+    if (auto error = read_journal(file, check, rows)) return *error;
   std::map<double, StudyRow> by_run;
   for (StudyRow& row : rows) by_run.emplace(row.run, std::move(row));
   std::vector<StudyRow> ordered;

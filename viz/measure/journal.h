@@ -4,6 +4,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "measure/study_row.h"
@@ -28,8 +31,12 @@ class Journal {
   int descriptor_ = -1;
 };
 
+/// What is wrong with a row that does not belong to what is measured, and what is allowed; nothing where it does.
+using RowCheck = std::function<std::optional<std::string>(const StudyRow&)>;
+
 /// The rows of all journals (*.csv) in a folder, by run, each run once. A half-written last line is left out; any other line that
-/// is no row is an error, and so are rows of several versions or studies. No folder: no rows.
-Result<std::vector<StudyRow>> read_journals(const std::vector<std::filesystem::path>& folders);
+/// is no row, or that `check` refuses, is an error with its place, and so are rows of several versions or studies. No folder: no
+/// rows.
+Result<std::vector<StudyRow>> read_journals(const std::vector<std::filesystem::path>& folders, const RowCheck& check);
 
 }  // namespace psm

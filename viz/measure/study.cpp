@@ -170,4 +170,14 @@ std::string fingerprint(const Study& study, const std::string& version) {
   return text;
 }
 
+bool is_row_of(const Study& study, const StudyRow& row) {
+  if (!(row.run >= 0 && row.run < double(study.runs.size()) && std::trunc(row.run) == row.run)) return false;
+  const StudyRun& run = study.runs[std::size_t(row.run)];
+  const StudyScene& scene = study.scenes[run.scene];
+  const ImageSettings& image = scene.base.experiment.image;
+  return row.scene == scene.name && row.technique == name_of(run.technique) && row.resolution == run.resolution &&
+         (!run.theta_deg || row.theta_deg == *run.theta_deg) && (!run.far || row.camera_far == *run.far) &&
+         row.width == image.width && row.height == image.height;
+}
+
 }  // namespace psm

@@ -7,6 +7,7 @@
 
 #include "measure/equal_error.h"
 #include "measure/repeats.h"
+#include "measure/study_row.h"
 #include "scene/experiment_file.h"
 
 namespace psm {
@@ -58,6 +59,9 @@ Experiment with_theta(Experiment experiment, double theta_deg);
 
 /// Changes with the program's version, the runs and their experiments: rows of different fingerprints do not belong together.
 std::string fingerprint(const Study& study, const std::string& version);
+
+/// Whether the row is what its run asks for. Rows come from files, which anybody may have changed.
+bool is_row_of(const Study& study, const StudyRow& row);
 
 /// All techniques but `custom`, which needs a plane of somebody's own.
 std::vector<Technique> techniques_to_compare();
