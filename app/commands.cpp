@@ -105,14 +105,13 @@ int draw_without_display(const LoadedExperiment& loaded) {
   return code == kDone ? finish_printing(print(out.string() + "\n")) : code;
 }
 
-bool rays_fit(const ImageSettings& image) { return std::int64_t(image.width) * image.height <= kMostPixels; }
-
-InputError too_many_rays(const ImageSettings& image) {
-  return {"image: --texels traces a ray for each of its " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-          " pixels; allowed: up to " + std::to_string(kMostPixels) + " pixels"};
-}
-
 }  // namespace
+
+std::optional<InputError> check_rays(const ImageSettings& image, const std::string& asker) {
+  if (std::int64_t(image.width) * image.height <= kMostPixels) return std::nullopt;
+  return InputError{"image: " + asker + " traces a ray for each of its " + std::to_string(image.width) + " x " +
+                    std::to_string(image.height) + " pixels; allowed: up to " + std::to_string(kMostPixels) + " pixels"};
+}
 
 int bad_input(const InputError& error) {
   complain(error.text);
@@ -169,7 +168,8 @@ int show_window(const ExperimentArguments& arguments, const std::string& lesson,
 int print_analysis(const ExperimentArguments& arguments, bool texels) {
   const auto loaded = load(arguments);
   if (!loaded) return bad_input(loaded.error());
-  if (texels && !rays_fit(loaded->experiment.image)) return bad_input(too_many_rays(loaded->experiment.image));
+  if (texels)
+    if (const auto error = check_rays(loaded->experiment.image, "--texels")) return bad_input(*error);
   const Analysis analysis = texels ? analyze_with_texels(loaded->experiment, loaded->scene)
                                    : analyze(loaded->experiment, loaded->scene, RayTracer(loaded->scene));
   return finish_printing(print(analysis_to_json(analysis, loaded->scene)));

@@ -47,6 +47,9 @@ std::string view_names();
 /// Errors start with the file or the flag.
 Result<LoadedExperiment> load(const ExperimentArguments& arguments);
 
+/// An error where `asker` (a flag, a command) would trace more rays than it may, one for each pixel of the image.
+std::optional<InputError> check_rays(const ImageSettings& image, const std::string& asker);
+
 /// Each says it in one line and returns the exit code: bad input; anything else; whether standard output took the result.
 int bad_input(const InputError& error);
 int other_failure(const InputError& error);

@@ -57,6 +57,7 @@ Result<Study> parse_study(const MeasureArguments& arguments) {
   auto loaded = load(arguments.experiment);
   if (!loaded) return loaded.error();
   const Experiment& x = loaded->experiment;
+  if (const auto error = check_rays(x.image, "measure")) return *error;
   const auto techniques = parse_techniques(arguments.techniques, x);
   if (!techniques) return techniques.error();
   const auto resolutions = parse_members<int>("--resolutions", arguments.resolutions, "shadow.resolution", x,
@@ -85,16 +86,23 @@ int measure_runs(const MeasureArguments& arguments) {
   if (!study) return bad_input(study.error());
   const auto runner = StudyRunner::create(*study);
   if (!runner) return other_failure(runner.error());
-  Progress progress(study->runs.size());
+  const Interruptible interruptible;
+  const std::size_t runs = study->runs.size();
   std::vector<StudyRow> rows;
   bool printed = !arguments.csv || print(csv_header());
-  for (std::size_t i = 0; i < study->runs.size() && printed; ++i) {
-    rows.push_back((*runner)->measure(i));
-    if (arguments.csv) printed = print(csv_line(rows.back()));
-    progress.finished_one();
+  {
+    Progress progress(runs);
+    while (rows.size() < runs && printed && !Interruptible::asked()) {
+      rows.push_back((*runner)->measure(rows.size()));
+      if (arguments.csv) printed = print(csv_line(rows.back()));
+      progress.finished_one();
+    }
   }
   if (!arguments.csv) printed = print(rows_to_json(rows));
-  return finish_printing(printed);
+  const int code = finish_printing(printed);
+  if (code != kDone || rows.size() == runs) return code;
+  complain("interrupted: " + std::to_string(rows.size()) + " of " + std::to_string(runs) + " runs are measured and printed");
+  return kOtherFailure;
 }
 
 int measure_hard_cases_only(const MeasureArguments& arguments) {

@@ -40,6 +40,26 @@ std::vector<std::string> small_measure(const std::vector<std::string>& more) {
   return arguments;
 }
 
+TEST(Measure, InterruptedPrintsWhatIsFinished) {
+  const Folder folder;
+  const std::string out = folder / "rows.csv";
+  std::string small;
+  for (const std::string& argument : small_measure({"--techniques", "all", "--theta-deg", "1:179:1", "--csv"}))
+    small += argument + " ";
+  // TERM is handled as Ctrl-C is; a shell's background job does not hear the latter.
+  const Outcome run = run_shell(small + "> " + out + " & pid=$!; while kill -0 $pid 2> /dev/null && [ $(wc -l < " + out +
+                                ") -lt 3 ]; do :; done; kill -TERM $pid; wait $pid");
+  EXPECT_EQ(run.code, 1) << run.err;
+  std::istringstream lines(contents(out));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line + "\n", csv_header());
+  std::size_t rows = 0;
+  for (; std::getline(lines, line); ++rows) EXPECT_TRUE(row_from_csv(line)) << line;
+  EXPECT_GE(rows, 2u);
+  EXPECT_EQ(run.err, "interrupted: " + std::to_string(rows) + " of 2327 runs are measured and printed\n");
+}
+
 TEST(Measure, PrintsARowForEachRunWithErrorsAndTimes) {
   const Outcome run = run_program(
       small_measure({"--techniques", "uniform,gmnpr", "--resolutions", "128,256", "--theta-deg", "30:90:60", "--far", "50,100"}));
@@ -134,6 +154,7 @@ TEST(Measure, RefusesWhatItCannotMeasure) {
       {{"measure", "ground", "--theta-deg", "10:5:1"}, "--theta-deg"},
       {{"measure", "chessboard", "--theta-deg", "10"}, "only with a directional light"},
       {{"measure", "ground", "--theta-deg", "0:180:0.001"}, "runs; allowed: at most"},
+      {{"measure", "ground", "--set", "image.width=16384", "--set", "image.height=16384"}, "16384 x 16384 pixels"},
       {{"measure", "no_such_scene"}, "no_such_scene"}};
   for (const auto& [arguments, expected] : bad) {
     const Outcome run = run_program(arguments);
