@@ -90,6 +90,11 @@ TEST(Probe, MeasuredSizeIsThatOfThePolygonOnTheImage) {
   const dvec2 u = pixel(p.footprint[1]) - pixel(p.footprint[0]), v = pixel(p.footprint[3]) - pixel(p.footprint[0]);
   const double largest = (std::hypot(u.x + v.y, u.y - v.x) + std::hypot(u.x - v.y, u.y + v.x)) / 2;
   EXPECT_NEAR(largest, p.size.m, 0.01 * p.size.m);
+  const double towards = std::atan2(2 * (u.x * u.y + v.x * v.y), dot(u, u) + dot(v, v) - 2 * (u.y * u.y + v.y * v.y)) / 2;
+  const auto numbers = probe_numbers(p);
+  const auto shown = std::find_if(numbers.begin(), numbers.end(), [](const auto& line) { return line.first == "orientation"; });
+  ASSERT_NE(shown, numbers.end());
+  EXPECT_NEAR(std::stod(shown->second), glm::degrees(towards), 1.0);
 }
 
 TEST(Probe, AnUnlitSideAndAGrazingLightHaveNoFormula) {

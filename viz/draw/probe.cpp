@@ -99,6 +99,7 @@ std::vector<std::pair<std::string, std::string>> probe_numbers(const Probe& prob
   out.emplace_back("d, formula", probe.lit_side ? short_number(probe.d) + " px" : "unlit side");
   out.emplace_back("m, measured", short_number(probe.size.m) + " px");
   out.emplace_back("anisotropy", short_number(probe.size.anisotropy));
+  out.emplace_back("orientation", degrees(probe.size.orientation));
   return out;
 }
 

@@ -50,7 +50,7 @@ std::optional<SheetTexel> on_map(const Analysis& analysis, const glm::dvec2& she
 /// What a probe adds to a view, in the space of the view's list. `size` in pixels.
 DrawList probe_list(const Probe& probe, ViewId id, const Analysis& analysis, glm::ivec2 size);
 
-/// Name and value of each number, for a table: texel, r_s, r_i, alpha, beta, d, m, anisotropy.
+/// Name and value of each number, for a table: texel, r_s, r_i, alpha, beta, d, m, anisotropy, orientation.
 std::vector<std::pair<std::string, std::string>> probe_numbers(const Probe& probe);
 
 }  // namespace psm
