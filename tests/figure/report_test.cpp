@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figure/html.h"
 #include "markup.h"
+#include "measure/study.h"
 
 namespace psm::testing {
 namespace {
@@ -57,6 +59,24 @@ TEST(Report, IsOneWellFormedPageWithoutAddresses) {
   for (const ReportFile& f : files) {
     EXPECT_EQ(f.name == "rows.csv" ? "" : unclosed_tags(f.bytes), "") << f.name;
   }
+}
+
+TEST(Report, HasEveryTechniqueBesideTheClosedForms) {
+  const std::string page = file(make_report(made_up()), "index.html");
+  for (const Technique technique : techniques_to_compare())
+    EXPECT_THAT(page, HasSubstr(std::string("<td>") + name_of(technique) + "</td>"));
+}
+
+TEST(Report, SetsOnlyATableSmallerThatThePageHasNoRoomFor) {
+  const auto page_of = [](std::size_t columns) {
+    HtmlTable table{"caption", {"name"}, {{"name"}}};
+    for (std::size_t i = 0; i < columns; ++i) table.head.push_back("angle"), table.rows[0].push_back("5312 (5.19)");
+    HtmlPage page("title");
+    page.table(table);
+    return page.text();
+  };
+  EXPECT_THAT(page_of(6), HasSubstr("<table>"));
+  EXPECT_THAT(page_of(9), HasSubstr("<table class=\"small\">"));
 }
 
 TEST(Report, KeepsEveryRow) {

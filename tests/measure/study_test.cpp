@@ -208,11 +208,20 @@ TEST(LineError, OfTheMapsIsTheClosedFormWhereItsAssumptionsHold) {
     for (const ClosedFormRow& row : compare_with_closed_forms({1.0, far, 30.0}, {2, 10, 25, 30, 45, 70, 90})) {
       if (std::isnan(row.model_E) || std::isnan(row.map_E)) continue;
       ++compared;
+      EXPECT_NEAR(row.map_F / row.model_F, 1.0, 1e-6);
       EXPECT_NEAR(row.map_E / row.model_E, 1.0, 1e-6) << name_of(row.technique) << " theta " << row.theta_deg << " f " << far;
       EXPECT_GE(row.map_E, row.bound_E * (1 - 1e-9));
       EXPECT_NEAR(row.model_E, row.model_F * std::sin(row.theta_deg * kDegree), 1e-9 * row.model_E);
     }
-  EXPECT_GT(compared, 80);
+  EXPECT_GT(compared, 120);
+}
+
+TEST(LineError, IsThereForEveryTechniqueThatNeedsNoFlatReceiver) {
+  std::set<Technique> measured;
+  for (const ClosedFormRow& row : compare_with_closed_forms({}, {45}))
+    if (std::isfinite(row.map_F) && std::isfinite(row.map_E)) measured.insert(row.technique);
+  for (const Technique technique : techniques_to_compare())
+    EXPECT_EQ(measured.count(technique), technique == Technique::plane_optimal ? 0u : 1u) << name_of(technique);
 }
 
 TEST(LineError, IsNothingWithoutASingleMapOrAlongTheView) {

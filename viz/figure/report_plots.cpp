@@ -103,6 +103,18 @@ Plot texel_size_plot(const std::vector<StudyRow>& slab) {
   return plot;
 }
 
+namespace {
+
+/// The other techniques' curves would lie on these, or far above.
+bool in_closed_form_plot(const ClosedFormRow& row) {
+  for (const Technique technique :
+       {Technique::uniform, Technique::psm, Technique::lispsm, Technique::glpr, Technique::gmnpr, Technique::minimax})
+    if (row.technique == technique) return true;
+  return false;
+}
+
+}  // namespace
+
 Plot closed_form_plot(const std::vector<ClosedFormRow>& rows, const ClosedFormSetting& setting) {
   Plot plot;
   plot.title = "Largest error on the central line: closed forms and maps";
@@ -115,6 +127,7 @@ Plot closed_form_plot(const std::vector<ClosedFormRow>& rows, const ClosedFormSe
   bound.color = 0x555555;
   bound.dash = "2 5";
   for (const ClosedFormRow& row : rows) {
+    if (!in_closed_form_plot(row)) continue;
     const std::string technique = name_of(row.technique);
     if (plot.curves.empty() || (plot.curves.back().label != technique && !plot.curves.back().label.empty())) {
       plot.curves.push_back(technique_curve(technique));
@@ -128,7 +141,7 @@ Plot closed_form_plot(const std::vector<ClosedFormRow>& rows, const ClosedFormSe
     dot.width = 0;
     dot.markers = true;
     dot.points = {{row.theta_deg, row.map_E}};
-    if (!std::isnan(row.map_E)) plot.curves.push_back(std::move(dot));
+    if (in_closed_form_plot(row) && !std::isnan(row.map_E)) plot.curves.push_back(std::move(dot));
   }
   plot.curves.push_back(std::move(bound));
   return plot;

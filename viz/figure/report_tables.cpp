@@ -39,8 +39,14 @@ std::string equal_error_text(const StudyRow* row) {
   return texels(row->equal_error_resolution) + " (" + shown(ratio, 3) + "\u00d7)" + (as_asked(*row) ? "" : "*");
 }
 
+/// So that a long name has where to break.
+std::string with_blanks(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 std::string answer(const CaseAnswer& a) {
-  if (!a.named.empty()) return a.named;
+  if (!a.named.empty()) return with_blanks(a.named);
   return std::isnan(double(a.value)) ? "not a number" : shown(double(a.value), 9);
 }
 
@@ -159,22 +165,26 @@ HtmlTable closed_form_table(const std::vector<ClosedFormRow>& rows, const Closed
   table.caption =
       "Largest values over all angles of the plot on the central line, n = " + shown(setting.near) +
       ", f = " + shown(setting.far) + ", phi = " + shown(setting.phi_deg) +
-      "\u00b0, receivers fill the frustum: F and E = F sin(theta) in closed form, E as measured in the maps, the largest "
-      "relative difference of the two, and the largest ratio of the map's E to the logarithmic lower bound "
-      "sin(theta) ln(f/n) / tan(phi), which no map can go below.";
-  table.head = {"technique", "max F, closed", "max E, closed", "max E, maps", "difference", "over the bound"};
+      "\u00b0, receivers fill the frustum: F and E = F sin(theta) in closed form and as measured in the maps, the largest "
+      "relative difference of the two E, and the largest ratio of the map's E to the logarithmic lower bound "
+      "sin(theta) ln(f/n) / tan(phi), which no map can go below. A dash: no closed form, or no map of this technique "
+      "(plane_optimal: no flat receiver here).";
+  table.head = {"technique", "max F, closed", "max F, maps", "max E, closed", "max E, maps", "difference", "over the bound"};
   std::vector<Technique> techniques;
   for (const ClosedFormRow& row : rows)
     if (techniques.empty() || techniques.back() != row.technique) techniques.push_back(row.technique);
   for (const Technique technique : techniques) {
-    double F = kNone, E = kNone, map = kNone, difference = kNone, over = kNone;
+    ClosedFormRow most{technique};
+    double difference = kNone, over = kNone;
     for (const ClosedFormRow& row : rows) {
       if (row.technique != technique) continue;
-      F = std::fmax(F, row.model_F), E = std::fmax(E, row.model_E), map = std::fmax(map, row.map_E);
+      for (const auto column : {&ClosedFormRow::model_F, &ClosedFormRow::map_F, &ClosedFormRow::model_E, &ClosedFormRow::map_E})
+        most.*column = std::fmax(most.*column, row.*column);
       difference = std::fmax(difference, std::abs(row.map_E / row.model_E - 1));
       over = std::fmax(over, row.map_E / row.bound_E);
     }
-    table.rows.push_back({name_of(technique), shown(F, 4), shown(E, 4), shown(map, 4), shown(difference, 2), shown(over, 3)});
+    table.rows.push_back({name_of(technique), shown(most.model_F, 4), shown(most.map_F, 4), shown(most.model_E, 4),
+                          shown(most.map_E, 4), shown(difference, 2), shown(over, 3)});
   }
   return table;
 }

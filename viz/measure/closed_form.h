@@ -19,11 +19,11 @@ struct ClosedFormRow {
   Technique technique = Technique::uniform;
   double theta_deg = 0;
   double model_F = kNone, model_E = kNone;  // closed forms (viz/math/warp.h)
-  double map_E = kNone;                     // measured in the map that the analysis made
+  double map_F = kNone, map_E = kNone;      // measured in the map that the analysis made
   double bound_E = kNone;                   // no map can have less
 };
 
-/// For the techniques with a closed form, and PSM, at each angle in (0, 90].
+/// For every technique, at each angle in (0, 90].
 std::vector<ClosedFormRow> compare_with_closed_forms(const ClosedFormSetting& setting, const std::vector<double>& theta_deg);
 
 }  // namespace psm
