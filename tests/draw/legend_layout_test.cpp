@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace psm {
 namespace {
 
@@ -66,6 +68,22 @@ TEST(LegendLayout, NumbersGoFirstThenTheHeadingAndColorsLast) {
   }
   EXPECT_TRUE(colors_alone);
   EXPECT_GE(texts_at(1600), entries + 3) << "a large view has room for everything";
+}
+
+TEST(LegendLayout, TheLastNumbersGoFirst) {
+  bool first_alone = false;
+  for (int width = 100; width <= 1600; width += 5) {
+    std::vector<TextBox> texts;
+    std::vector<Plate> plates;
+    std::vector<Mark> marks;
+    lay_out_legend(heat_map(), {{width, 0.9 * width}, 1.0, Theme::light}, text_size, texts, plates, marks);
+    const auto begins = [&](const std::string& start) {
+      return std::any_of(texts.begin(), texts.end(), [&](const TextBox& box) { return box.text.rfind(start, 0) == 0; });
+    };
+    EXPECT_TRUE(begins("median") || !begins("62 %")) << width;
+    first_alone = first_alone || (begins("median") && !begins("62 %"));
+  }
+  EXPECT_TRUE(first_alone);
 }
 
 }  // namespace

@@ -76,13 +76,14 @@ Flowed flowed(const Legend& legend, const PictureFrame& frame, const TextSize& t
   return out;
 }
 
-/// What of the legend fits a quarter of the view: all, or without the numbers, or the colours alone, which may take half of it.
+/// What of the legend fits a quarter of the view: all, or fewer numbers, the last line first, or the colours alone, which may
+/// take half of it.
 Legend fitting(Legend legend, const PictureFrame& frame, const TextSize& text_size) {
   const auto too_large = [&](double part) {
     const glm::dvec2 plate = flowed(legend, frame, text_size).plate;
     return plate.x * plate.y > part * frame.size.x * frame.size.y;
   };
-  if (too_large(0.25)) legend.lines.clear();
+  while (!legend.lines.empty() && too_large(0.25)) legend.lines.pop_back();
   if (too_large(0.25)) legend.title.clear();
   if (too_large(0.5)) legend.entries.clear();
   return legend;
