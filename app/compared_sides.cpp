@@ -16,8 +16,6 @@ constexpr double kBelowTitle = 44.0;
 
 int px(double length, double scale) { return std::max(1, int(std::lround(length * scale))); }
 
-bool is_split(const SheetPanel& panel) { return panel.side && is_split(panel.view, panel.loaded->experiment.view); }
-
 int line_column(const SheetPanel& panel) {
   return std::clamp(int(std::lround(panel.loaded->experiment.view.split * panel.size.x)), 0, panel.size.x);
 }
@@ -26,6 +24,8 @@ glm::vec3 ink(Theme theme) { return glm::vec3(theme == Theme::dark ? 0.92f : 0.0
 glm::vec3 paper(Theme theme) { return glm::vec3(theme == Theme::dark ? 0.12f : 0.98f); }
 
 }  // namespace
+
+bool is_split(const SheetPanel& panel) { return panel.side && is_split(panel.view, panel.loaded->experiment.view); }
 
 glm::ivec2 shown_columns(const SheetPanel& panel) {
   if (!is_split(panel)) return {0, panel.size.x};

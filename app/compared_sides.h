@@ -18,6 +18,9 @@ struct SidePlate {
   std::string text;
 };
 
+/// Whether a line divides the panel between the two.
+bool is_split(const SheetPanel& panel);
+
 /// The columns of the panel's picture that are its side's: from, to before.
 glm::ivec2 shown_columns(const SheetPanel& panel);
 

@@ -37,13 +37,13 @@ Result<std::vector<SheetPanel>> load_panels(const FigureFile& figure, const fs::
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const FigurePanel& panel = figure.panels[i];
     if (i > 0 && panel.experiment == figure.panels[i - 1].experiment) {
-      panels.push_back({panels.back().loaded, panel.view, panel.title, panel.hidden});
+      panels.push_back({panels.back().loaded, panel.view, panel.title, {{}, panel.hidden}});
       continue;
     }
     const std::string name = file.string() + ": panels[" + std::to_string(i) + "]";
     auto loaded = parse_experiment(panel.experiment, name, file.parent_path(), overrides);
     if (!loaded) return loaded.error();
-    panels.push_back({std::make_shared<const LoadedExperiment>(std::move(*loaded)), panel.view, panel.title, panel.hidden});
+    panels.push_back({std::make_shared<const LoadedExperiment>(std::move(*loaded)), panel.view, panel.title, {{}, panel.hidden}});
   }
   return panels;
 }

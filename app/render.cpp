@@ -41,14 +41,13 @@ Sheet sheet_of(const LoadedExperiment& loaded, const RenderRequest& request, con
   sheet.background = glm::vec3(request.theme == Theme::dark ? 0.12f : 0.86f);
   sheet.title = loaded.scene.id;
   sheet.status_height = layout.status_height;
-  sheet.emphasis = request.emphasis;
   const auto shared = std::make_shared<const LoadedExperiment>(loaded);
-  if (loaded.experiment.view.compare) {
+  if (loaded.experiment.view.compare)
     add_compared_panels(sheet, shared, request.views, layout.places);
-    return sheet;
-  }
-  for (std::size_t i = 0; i < request.views.size(); ++i)
-    sheet.panels.push_back({shared, request.views[i], std::nullopt, {}, layout.places[i].min, layout.places[i].size()});
+  else
+    for (std::size_t i = 0; i < request.views.size(); ++i)
+      sheet.panels.push_back({shared, request.views[i], std::nullopt, {}, layout.places[i].min, layout.places[i].size()});
+  for (SheetPanel& panel : sheet.panels) panel.emphasis = request.emphasis;
   return sheet;
 }
 

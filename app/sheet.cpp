@@ -8,13 +8,10 @@
 #include "app/caption.h"
 #include "app/compared_sides.h"
 #include "app/pixels.h"
-#include "draw/emphasis.h"
-#include "draw/probe.h"
 #include "figure/png.h"
 #include "figure/view_panel.h"
 #include "gl/traced_overlay.h"
-#include "measure/pick.h"
-#include "ui/comparison.h"
+#include "ui/probe_hover.h"
 
 namespace psm {
 namespace {
@@ -49,12 +46,6 @@ std::string status_text(const Analysis& analysis) {
   return light_case_text(analysis) + "   |   " + name_of(analysis.technique_used);
 }
 
-std::optional<Probe> probe_at(const RayTracer& tracer, const Analysis& analysis) {
-  const auto& pixel = analysis.experiment.view.probe;
-  const auto pick = pixel ? pick_pixel(tracer, analysis, *pixel) : std::nullopt;
-  return pick ? make_probe(analysis, pick->receiver, pick->occluder, pick->seen) : std::nullopt;
-}
-
 }  // namespace
 
 std::string parameters_of(const Sheet& sheet) {
@@ -81,19 +72,17 @@ struct SheetPainter::State {
       renderer.set_scene(loaded->scene);
     }
     analysis = analyze_with_statistics(loaded->experiment, loaded->scene, *tracer);
-    probe = probe_at(*tracer, analysis);
+    probe = probe_at(loaded->experiment.view.probe, *tracer, analysis);
     renderer.update_shadow_map(analysis);
   }
 
   ViewPicture describe(const SheetPanel& panel, const Sheet& sheet) {
     prepare(panel.loaded);
-    ViewPicture picture = describe_view(panel.view, analysis, loaded->scene, panel.size, sheet.scale);
-    emphasise(picture.list, sheet.emphasis);
+    std::optional<TracedOverlay> traced;
     if (panel.view == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay))
-      show_overlay(picture, trace_overlay(renderer, *tracer, analysis, kAllPixels));
-    if (probe) append(picture.list, probe_list(*probe, panel.view, analysis, panel.size));
-    for (const Role role : panel.hidden) remove(picture.list, role);
-    if (panel.side) drop_divided_numbers(picture, analysis.experiment.view);
+      traced = trace_overlay(renderer, *tracer, analysis, kAllPixels);
+    const ViewExtras extras{panel.emphasis, probe ? &*probe : nullptr, traced ? &*traced : nullptr, is_split(panel)};
+    ViewPicture picture = describe_view(panel.view, analysis, loaded->scene, panel.size, sheet.scale, extras);
     if (panel.title) picture.title = *panel.title;
     return picture;
   }

@@ -19,7 +19,7 @@ struct SheetPanel {
   std::shared_ptr<const LoadedExperiment> loaded;
   ViewId view = ViewId::world;
   std::optional<std::string> title;  // none: the view's own
-  std::vector<Role> hidden = {};     // left out
+  Emphasis emphasis = {};
   glm::ivec2 top_left{0}, size{0};
   char side = 0;  // 'A' or 'B' where two techniques share the view
 };
@@ -32,7 +32,6 @@ struct Sheet {
   bool supersampled = false;   // four pixels are drawn for each
   glm::vec3 background{1.0f};  // between panels
   std::vector<SheetPanel> panels;
-  Emphasis emphasis = {};
   int status_height = 0;  // of a line at the bottom about the last panel's light; 0: none
   std::string title;
 };

@@ -122,6 +122,7 @@ TEST_P(TexelView, grid_lines_lie_between_texels) {
 
 TEST_P(TexelView, error_view_colours_each_wrong_pixel_and_counts_it) {
   experiment_.shadow.resolution = 64;
+  experiment_.view.eye_overlay = EyeOverlay::errors;
   const Analysis analysis = analyze(experiment_, scene_);
   renderer_->set_scene(scene_);
   renderer_->draw_shadow_map(analysis);
@@ -142,8 +143,8 @@ TEST_P(TexelView, error_view_colours_each_wrong_pixel_and_counts_it) {
   EXPECT_TRUE(quick.reduced);
   EXPECT_EQ(glm::ivec2(quick.image.width, quick.image.height), glm::ivec2(160, 90));
 
-  ViewPicture eye_view = describe_view(ViewId::eye, analysis, scene_, kSize);
-  show_overlay(eye_view, {view.image, error_legend(view)});
+  const TracedOverlay traced{view.image, error_legend(view)};
+  ViewPicture eye_view = describe_view(ViewId::eye, analysis, scene_, kSize, 1.0, {{}, nullptr, &traced});
   EXPECT_EQ(std::ptrdiff_t(eye_view.legend.entries.size()),
             std::count_if(view.by_kind.begin(), view.by_kind.end(), [](std::size_t count) { return count > 0; }));
   eye_view.legend = {};

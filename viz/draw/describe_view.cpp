@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "draw/probe.h"
 #include "draw/sketch.h"
 #include "draw/texel_overlay.h"
 
@@ -46,7 +47,17 @@ ViewPicture describe(ViewId id, const Analysis& analysis, glm::ivec2 size, const
   return {};
 }
 
+/// Over the eye view, or in its legend's place until it is there.
+void show_traced(const TracedOverlay* traced, ViewPicture& eye) {
+  if (!traced) return eye.legend.lines.push_back("traced when nothing moves");
+  eye.cover = traced->image;
+  eye.texel_step = 0;  // under the cover
+  eye.legend = traced->legend;
+}
+
 }  // namespace
+
+bool takes_rays(EyeOverlay overlay) { return overlay == EyeOverlay::errors || overlay == EyeOverlay::penumbra; }
 
 double aspect_of(glm::ivec2 size) { return size.x > 0 && size.y > 0 ? double(size.x) / size.y : 1.0; }
 
@@ -57,10 +68,19 @@ std::string map_remark(const Analysis& analysis) {
   return other.empty() || analysis.receivers_body.empty() ? "" : std::string(", ") + name_of(used) + other;
 }
 
-ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene&, glm::ivec2 size, double scale) {
+ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene&, glm::ivec2 size, double scale,
+                          const ViewExtras& extras) {
   ViewPicture picture = describe(id, analysis, size, glm::dvec2(glm::max(size, glm::ivec2(1))) / scale);
   add_texel_overlay(picture, analysis, size);
   if (id == ViewId::map && analysis.experiment.view.map_shows == MapShows::scene) show_scene_in_map(picture, analysis);
+  if (id == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay)) show_traced(extras.traced, picture);
+  if (extras.divided) picture.legend.lines.clear();
+  emphasise(picture.list, extras.emphasis);
+  if (extras.probe) {
+    DrawList probe = probe_list(*extras.probe, id, analysis, size);
+    remove(probe, extras.emphasis.hidden);
+    append(picture.list, std::move(probe));
+  }
   drop_overflow(picture.list);
   return picture;
 }

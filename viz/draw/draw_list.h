@@ -88,8 +88,8 @@ struct DrawList {
 /// Another drawing of the same space over this one.
 void append(DrawList& list, DrawList other);
 
-/// Takes out everything of this role.
-void remove(DrawList& list, Role role);
+/// Takes out everything of these roles.
+void remove(DrawList& list, const std::vector<Role>& roles);
 
 /// "caster_body" and so on; nothing for other names.
 const char* name_of(Role role);

@@ -6,7 +6,7 @@
 namespace psm {
 
 void emphasise(DrawList& list, const Emphasis& emphasis) {
-  for (const Role role : emphasis.hidden) remove(list, role);
+  remove(list, emphasis.hidden);
   const std::vector<Role>& strong = emphasis.strong;
   if (strong.empty()) return;
   const auto faint = [&](Role role) {

@@ -15,7 +15,7 @@ void show_scene_in_map(ViewPicture& map, const Analysis& analysis) {
   map.clip_from_world = glm::scale(map.clip_from_list, {1.0, 1.0, order}) * *analysis.map_from_world;
   // The outlines have no depth of their own: they stand before the scene.
   map.clip_from_list = glm::translate(glm::dmat4(1.0), {0.0, 0.0, -1.0}) * map.clip_from_list;
-  remove(map.list, Role::texel_grid);
+  remove(map.list, {Role::texel_grid});
 }
 
 }  // namespace psm

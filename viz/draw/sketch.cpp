@@ -82,8 +82,8 @@ void append(DrawList& list, DrawList other) {
   std::move(other.texts.begin(), other.texts.end(), std::back_inserter(list.texts));
 }
 
-void remove(DrawList& list, Role role) {
-  const auto has_role = [role](const auto& thing) { return thing.role == role; };
+void remove(DrawList& list, const std::vector<Role>& roles) {
+  const auto has_role = [&](const auto& thing) { return std::find(roles.begin(), roles.end(), thing.role) != roles.end(); };
   std::erase_if(list.lines, has_role);
   std::erase_if(list.fills, has_role);
   std::erase_if(list.points, has_role);

@@ -8,6 +8,7 @@
 
 #include "draw/chart.h"
 #include "draw/draw_list.h"
+#include "draw/emphasis.h"
 #include "draw/image.h"
 #include "draw/legend.h"
 #include "scene/analysis.h"
@@ -46,8 +47,28 @@ struct ViewPicture {
   Legend legend;
 };
 
+/// Errors against the truth, penumbra: viz/gl traces them.
+bool takes_rays(EyeOverlay overlay);
+
+/// An overlay that took rays: the eye's image, opaque where it sees something, and what its colours mean.
+struct TracedOverlay {
+  Image image;
+  Legend legend;
+};
+
+struct Probe;  // draw/probe.h
+
+/// What a view shows besides its experiment. Nothing here is kept.
+struct ViewExtras {
+  Emphasis emphasis = {};
+  const Probe* probe = nullptr;           // neither stronger nor fainter, but without what is hidden
+  const TracedOverlay* traced = nullptr;  // in the eye view; none where one takes rays: its legend says that they are to come
+  bool divided = false;  // a line between two techniques goes through it, which would leave half of each one's numbers
+};
+
 /// Pure. `size` in pixels: its aspect decides the letterbox and the fit. `scale`: of type, for which plots leave room.
-ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene& scene, glm::ivec2 size, double scale = 1.0);
+ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene& scene, glm::ivec2 size, double scale = 1.0,
+                          const ViewExtras& extras = {});
 
 /// The plane that the world view shows: the one in use, or technique custom's own where that could not be used.
 std::optional<glm::dvec4> shown_vanishing_plane(const Analysis& analysis);

@@ -11,22 +11,12 @@
 
 namespace psm {
 
-bool takes_rays(EyeOverlay overlay) { return overlay == EyeOverlay::errors || overlay == EyeOverlay::penumbra; }
-
 TracedOverlay trace_overlay(Renderer& renderer, const RayTracer& tracer, const Analysis& analysis, double most_pixels) {
   if (analysis.experiment.view.eye_overlay == EyeOverlay::penumbra)
     return trace_penumbra(tracer, analysis.experiment, most_pixels);
   const ErrorView errors = compare_with_truth(renderer, tracer, analysis, most_pixels);
   return {errors.image, error_legend(errors)};
 }
-
-void show_overlay(ViewPicture& eye, const TracedOverlay& overlay) {
-  eye.cover = overlay.image;
-  eye.texel_step = 0;  // under the cover
-  eye.legend = overlay.legend;
-}
-
-void announce_overlay(ViewPicture& eye) { eye.legend.lines.push_back("traced when nothing moves"); }
 
 double quick_pixels(const LightSettings& light) { return 640.0 * 360.0 / std::min(16, rays_to(light)); }
 

@@ -59,10 +59,6 @@ bool is_split(ViewId id, const ViewSettings& view) {
   return is_compared(id) && view.compare_layout == CompareLayout::split && id != ViewId::map;
 }
 
-void drop_divided_numbers(ViewPicture& picture, const ViewSettings& view) {
-  if (view.compare && is_split(picture.id, view)) picture.legend.lines.clear();
-}
-
 ViewRects place_second(Layout& layout, const ViewSettings& view, int gap) {
   ViewRects second{};
   for (ViewId id : kAllViews) {

@@ -28,9 +28,6 @@ ViewRects place_second(Layout& layout, const ViewSettings& view, int gap);
 /// What of a view's picture is A's.
 Rect first_part(ViewId id, const Rect& picture, const ViewSettings& view);
 
-/// A line through a legend would leave half of A's numbers beside half of B's.
-void drop_divided_numbers(ViewPicture& picture, const ViewSettings& view);
-
 /// "A  GMNPR", what was used instead where it fell back, and the size of its texels where the eye view shows that.
 std::string comparison_name(char letter, const Analysis& analysis);
 

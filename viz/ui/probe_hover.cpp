@@ -30,13 +30,8 @@ std::optional<Pick> pick_in_map(const PointedAt& at, const Model& model, const V
   return found ? pick_texel(model.tracer(), model.analysis(), found->layer, found->center) : std::nullopt;
 }
 
-std::optional<Pick> pick_in_eye(const PointedAt& at, const Model& model, const ViewImages& images) {
-  const auto pixel = image_pixel(at, images);
-  return pixel ? pick_pixel(model.tracer(), model.analysis(), *pixel) : std::nullopt;
-}
-
-std::optional<Probe> probe_from(const std::optional<Pick>& pick, const Model& model) {
-  return pick ? make_probe(model.analysis(), pick->receiver, pick->occluder, pick->seen) : std::nullopt;
+std::optional<Probe> probe_from(const std::optional<Pick>& pick, const Analysis& analysis) {
+  return pick ? make_probe(analysis, pick->receiver, pick->occluder, pick->seen) : std::nullopt;
 }
 
 }  // namespace
@@ -53,11 +48,11 @@ std::optional<Probe> probe_under(const PointedAt& at, const Model& model, const 
   if (images.texture(at.view) == 0) return std::nullopt;
   switch (at.view) {
     case ViewId::eye:
-      return probe_from(pick_in_eye(at, model, images), model);
+      return probe_at(image_pixel(at, images), model.tracer(), model.analysis());
     case ViewId::world:
-      return probe_from(pick_in_world(at, model, images), model);
+      return probe_from(pick_in_world(at, model, images), model.analysis());
     case ViewId::map:
-      return probe_from(pick_in_map(at, model, images), model);
+      return probe_from(pick_in_map(at, model, images), model.analysis());
     case ViewId::cube:
     case ViewId::body:
     case ViewId::curves:
@@ -67,14 +62,14 @@ std::optional<Probe> probe_under(const PointedAt& at, const Model& model, const 
   return std::nullopt;
 }
 
-std::optional<Probe> probe_of(const Model& model) {
-  const auto& pixel = model.experiment().view.probe;
-  return pixel ? probe_from(pick_pixel(model.tracer(), model.analysis(), *pixel), model) : std::nullopt;
+std::optional<Probe> probe_at(const std::optional<glm::dvec2>& pixel, const RayTracer& tracer, const Analysis& analysis) {
+  return pixel ? probe_from(pick_pixel(tracer, analysis, *pixel), analysis) : std::nullopt;
 }
 
 void draw_probe(const UiContext& ui, const Probe& probe, ViewId id, const Rect& picture, const ViewImages& images) {
   if (picture.empty() || images.texture(id) == 0) return;
-  const DrawList list = probe_list(probe, id, images.analysis(), picture.size());
+  DrawList list = probe_list(probe, id, images.analysis(), picture.size());
+  remove(list, images.emphasis().hidden);
   draw_over(ui, list, images.picture(id), picture);
 }
 

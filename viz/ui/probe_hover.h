@@ -21,8 +21,8 @@ struct PointedAt {
 /// The probe at a pixel of the eye, world or map view; nothing over other views, or where there is no surface.
 std::optional<Probe> probe_under(const PointedAt& at, const Model& model, const ViewImages& images);
 
-/// The probe that the experiment itself asks for.
-std::optional<Probe> probe_of(const Model& model);
+/// The probe that the experiment itself asks for, if it does: at this pixel of its image.
+std::optional<Probe> probe_at(const std::optional<glm::dvec2>& pixel, const RayTracer& tracer, const Analysis& analysis);
 
 /// The pixel of the experiment's image under a pixel of the eye view; nothing beside the image.
 std::optional<glm::dvec2> image_pixel(const PointedAt& at, const ViewImages& images);

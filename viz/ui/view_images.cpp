@@ -97,8 +97,7 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
       continue;
     }
     View& view = views_[std::size_t(id)];
-    const bool wants_rays = id == ViewId::eye && takes_rays(shown.eye_overlay);
-    const bool has_rays = wants_rays && is_traced(model, shown.eye_overlay);
+    const bool has_rays = id == ViewId::eye && is_traced(model, shown.eye_overlay);
     const bool shows_texels = id == ViewId::eye && heat_scale(shown.eye_overlay);
     const Key key{model.analysis_revision(),
                   relevant(id, shown),
@@ -111,11 +110,8 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
     if (view.texture != 0 && view.key == key) continue;
     if (!is_drawing(id)) upload(model, profile);
     profile.run(stage_of(id), [&] {
-      view.picture = describe_view(id, analysis_, model.scene(), size, scale);
-      emphasise(view.picture.list, emphasis_);
-      if (has_rays) show_overlay(view.picture, *traced_);
-      if (wants_rays && !has_rays) announce_overlay(view.picture);
-      drop_divided_numbers(view.picture, shown);
+      const ViewExtras extras{emphasis_, nullptr, has_rays ? &*traced_ : nullptr, shown.compare && is_split(id, shown)};
+      view.picture = describe_view(id, analysis_, model.scene(), size, scale, extras);
       view.texture = renderer_.draw_view(view.picture, analysis_, size, scale, theme);
     });
     view.key = key;

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "draw/emphasis.h"
 #include "draw/view.h"
 #include "gl/renderer.h"
 #include "gl/traced_overlay.h"

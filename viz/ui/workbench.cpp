@@ -200,7 +200,7 @@ void Workbench::quiz(Frame& f) {
 void Workbench::find_probe() {
   probe_.reset();
   if (pointed_ && settings_.hovering) probe_ = probe_under(*pointed_, model_, images_);
-  if (!probe_) probe_ = probe_of(model_);
+  if (!probe_) probe_ = probe_at(model_.experiment().view.probe, model_.tracer(), model_.analysis());
 }
 
 void Workbench::pane_fields(Frame& f) {
