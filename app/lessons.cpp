@@ -107,10 +107,7 @@ Result<LessonPicture> lesson_picture(const std::string& argument, const std::vec
   auto loaded = load_members(members, "--lesson " + quotable(argument), lesson.folder);
   if (!loaded) return loaded.error();
   const Step& step = lesson.steps[index];
-  LessonPicture picture{std::move(*loaded), {}, emphasis_of(step), step.animation};
-  for (const std::string& name : step.views)
-    if (const auto view = view_from_name(name)) picture.views.push_back(*view);
-  return picture;
+  return LessonPicture{std::move(*loaded), step.views, step.emphasis, step.animation};
 }
 
 int list_lessons() {

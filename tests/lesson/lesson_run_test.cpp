@@ -58,7 +58,7 @@ TEST_F(Run, AStepReachedFromElsewhereBeginsWithTheLessonsOwnExperiments) {
 }
 
 TEST_F(Run, AnAnswerUncovers) {
-  EXPECT_THAT(run_.covered(), ElementsAre("cube"));
+  EXPECT_THAT(run_.covered(), ElementsAre(ViewId::cube));
   run_.state().questions[0].choice = 1;
   EXPECT_THAT(run_.covered(), IsEmpty());
   EXPECT_FALSE(run_.finished(0));

@@ -125,9 +125,9 @@ class StepCheck {
   }
 
   void check_question(const Question& question) {
-    for (const std::string& view : question.cover)
+    for (const ViewId view : question.cover)
       if (std::find(step_.views.begin(), step_.views.end(), view) == step_.views.end())
-        fail(question.line, "cover: " + view + " is not among the step's views; allowed: one of its views");
+        fail(question.line, std::string("cover: ") + name_of(view) + " is not among the step's views; allowed: one of its views");
     if (question.reveal)
       if (const auto revealed = with_members(*loaded_, *question.reveal, "reveal"); !revealed)
         fail(question.line, revealed.error().text);

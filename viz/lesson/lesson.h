@@ -58,7 +58,7 @@ struct Question {
   int answer_index = 0;  // of `choices`
   Quantity answer;       // number
   double tolerance = 0.0;
-  std::vector<std::string> cover;  // views hidden until it is answered
+  std::vector<ViewId> cover;  // views hidden until it is answered
   std::optional<ExperimentMembers> reveal;
   int line = 0;
 };
@@ -92,7 +92,9 @@ struct Step {
   std::string heading, source;
   std::optional<ExperimentMembers> experiment;
   bool continues = false;  // the experiment of the step before stays; `experiment` goes over it
-  std::vector<std::string> views, controls, highlight, hide;
+  std::vector<ViewId> views;
+  std::vector<std::string> controls;
+  Emphasis emphasis;
   std::optional<Animation> animation;
   std::vector<Question> questions;
   std::vector<Task> tasks;
@@ -126,13 +128,6 @@ std::size_t take_lesson_step(std::string& name);
 /// "5  Directional lights": the number from the lesson's name, "05_directional_lights", before its title. A name without one
 /// adds nothing.
 std::string numbered_title(const std::string& name, const std::string& title);
-
-/// What a step may name.
-const std::vector<std::string>& lesson_view_names();
-const std::vector<std::string>& lesson_role_names();
-
-/// What the step stresses and leaves out.
-Emphasis emphasis_of(const Step& step);
 
 /// The one derived path among controls: the angle between view and a directional light.
 inline constexpr const char* kThetaControl = "light.theta_deg";

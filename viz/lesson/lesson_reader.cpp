@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // lesson.json and text.md as one Lesson.
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "lesson/condition_reader.h"
@@ -19,14 +20,28 @@ auto read_list(const MemberReader& json, Read read) {
   return list;
 }
 
-std::vector<std::string> read_names(const MemberReader& json, const std::vector<std::string>& allowed, std::size_t most) {
-  auto names = read_list(json, [&](const MemberReader& name) { return name.one_of(allowed); });
-  if (json.fine() && (names.empty() || names.size() > most))
-    json.fail(std::to_string(names.size()) + " names; allowed: 1 to " + std::to_string(most));
-  if (json.fine() && std::set<std::string>(names.begin(), names.end()).size() != names.size())
+/// Roles that a step may stress or leave out.
+constexpr std::array kRoles{Role::frustum,    Role::light,    Role::caster_body, Role::receivers_body, Role::vanishing_plane,
+                            Role::map_window, Role::infinity, Role::texel_grid,  Role::scene_bounds};
+
+/// Some of these values, by their names.
+template <class Value, std::size_t N>
+std::vector<Value> read_named(const MemberReader& json, const std::array<Value, N>& allowed, std::size_t most) {
+  std::vector<std::string> names;
+  for (const Value value : allowed) names.push_back(name_of(value));
+  auto values = read_list(json, [&](const MemberReader& element) {
+    const auto found = std::find(names.begin(), names.end(), element.one_of(names));
+    return found == names.end() ? Value{} : allowed[std::size_t(found - names.begin())];
+  });
+  if (json.fine() && (values.empty() || values.size() > most))
+    json.fail(std::to_string(values.size()) + " names; allowed: 1 to " + std::to_string(most));
+  if (json.fine() && std::set<Value>(values.begin(), values.end()).size() != values.size())
     json.fail("a name given twice; allowed: once");
-  return names;
+  return values;
 }
+
+std::vector<ViewId> read_views(const MemberReader& json) { return read_named(json, kAllViews, kMostTiles); }
+std::vector<Role> read_roles(const MemberReader& json) { return read_named(json, kRoles, kRoles.size()); }
 
 /// A number of the experiment that a slider can set, or the derived angle.
 std::string read_control(const MemberReader& json) {
@@ -91,7 +106,7 @@ Question read_question(const MemberReader& json) {
   } else {
     read_choice(json, question);
   }
-  if (json.has("cover")) question.cover = read_names(json.member("cover"), lesson_view_names(), 4);
+  if (json.has("cover")) question.cover = read_views(json.member("cover"));
   if (json.has("reveal")) question.reveal = json.member("reveal").experiment();
   return question;
 }
@@ -132,11 +147,10 @@ Step read_step(const MemberReader& json) {
   if (json.has("source")) step.source = json.member("source").text();
   if (json.has("experiment")) step.experiment = json.member("experiment").experiment();
   if (json.has("continues")) step.continues = json.member("continues").boolean();
-  step.views = read_names(json.member("views", true), lesson_view_names(), 4);
+  step.views = read_views(json.member("views", true));
   if (json.has("controls")) step.controls = read_controls(json.member("controls"));
-  if (json.has("highlight"))
-    step.highlight = read_names(json.member("highlight"), lesson_role_names(), lesson_role_names().size());
-  if (json.has("hide")) step.hide = read_names(json.member("hide"), lesson_role_names(), lesson_role_names().size());
+  if (json.has("highlight")) step.emphasis.strong = read_roles(json.member("highlight"));
+  if (json.has("hide")) step.emphasis.hidden = read_roles(json.member("hide"));
   if (json.has("animation")) step.animation = read_animation(json.member("animation"));
   if (json.has("questions")) step.questions = read_list(json.member("questions"), read_question);
   if (json.has("tasks")) step.tasks = read_list(json.member("tasks"), read_task);
@@ -250,27 +264,6 @@ void add_texts(ReadState& state, const std::string& source, Lesson& lesson) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& lesson_view_names() {
-  static const std::vector<std::string> names{"world", "cube", "map", "eye", "body", "curves", "explorer"};
-  return names;
-}
-
-const std::vector<std::string>& lesson_role_names() {
-  static const std::vector<std::string> names{"frustum",    "light",    "caster_body", "receivers_body", "vanishing_plane",
-                                              "map_window", "infinity", "texel_grid",  "scene_bounds"};
-  return names;
-}
-
-Emphasis emphasis_of(const Step& step) {
-  const auto roles = [](const std::vector<std::string>& names) {
-    std::vector<Role> out;
-    for (const std::string& name : names)
-      if (const auto role = role_from_name(name)) out.push_back(*role);
-    return out;
-  };
-  return {roles(step.highlight), roles(step.hide)};
-}
 
 Result<Lesson> read_lesson(const fs::path& folder) {
   const auto json_text = read_text_file(folder / "lesson.json");

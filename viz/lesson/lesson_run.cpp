@@ -125,8 +125,8 @@ Result<Experiment> LessonRun::replace(Lesson lesson, const Experiment& current) 
   return untouched ? start_ : current;
 }
 
-std::vector<std::string> LessonRun::covered() const {
-  std::vector<std::string> views;
+std::vector<ViewId> LessonRun::covered() const {
+  std::vector<ViewId> views;
   for (std::size_t i = 0; i < step().questions.size(); ++i)
     if (!state().questions[i].answered())
       views.insert(views.end(), step().questions[i].cover.begin(), step().questions[i].cover.end());

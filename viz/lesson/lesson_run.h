@@ -76,7 +76,7 @@ class LessonRun {
   Result<Experiment> replace(Lesson lesson, const Experiment& current);
 
   /// Views that an unanswered question of this step covers.
-  std::vector<std::string> covered() const;
+  std::vector<ViewId> covered() const;
   /// Tasks whose goals hold are done from now on. Returns whether one has just become so.
   bool check_tasks(const LessonState& state, const Analyze& analyze);
 

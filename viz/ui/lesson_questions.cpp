@@ -64,7 +64,7 @@ void LessonPanel::question_parts(const Context& c, std::size_t index, Parts& par
   parts.push_back(std::move(prompt));
   if (!question.cover.empty() && !answered && !c.staged) {
     std::string views;
-    for (const std::string& view : question.cover) views += (views.empty() ? "" : ", ") + view;
+    for (const ViewId view : question.cover) views += (views.empty() ? "" : ", ") + std::string(name_of(view));
     parts.push_back({c.style.size, [views](Context&) { ImGui::TextDisabled("Your answer uncovers: %s", views.c_str()); }});
   }
   for (std::size_t i = 0; i < question.choices.size(); ++i) parts.push_back(choice_part(c, index, i));

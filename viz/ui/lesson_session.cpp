@@ -15,12 +15,6 @@ constexpr double look_seconds = 1.0;
 
 Analysis analyze_plainly(const LoadedExperiment& loaded, bool) { return analyze(loaded.experiment, loaded.scene); }
 
-std::optional<ViewId> view_of(const std::string& name) {
-  for (const ViewId id : kAllViews)
-    if (name == name_of(id)) return id;
-  return std::nullopt;
-}
-
 /// Two ways to write a folder's name are one lesson.
 fs::path whole_path(const fs::path& folder) {
   std::error_code none;
@@ -47,12 +41,8 @@ void show_reveals(const LessonRun& run, Experiment& experiment) {
 
 }  // namespace
 
-void show_views(const std::vector<std::string>& views, ViewSettings& settings) {
-  std::vector<ViewId> tiles;
-  for (const std::string& name : views)
-    if (const auto id = view_of(name)) tiles.push_back(*id);
-  if (tiles.empty()) return;
-  settings.tiles = tiles;
+void show_views(const std::vector<ViewId>& views, ViewSettings& settings) {
+  settings.tiles = views;
   settings.maximised.reset();
 }
 
@@ -244,16 +234,6 @@ std::optional<Experiment> LessonSession::update(const Model& model, double now, 
   const auto before = std::exchange(open_->written, times_of_files(open_->run.lesson().folder));
   return before == open_->written ? std::nullopt : read_again(model);
 }
-
-std::vector<ViewId> LessonSession::covered() const {
-  std::vector<ViewId> ids;
-  if (!open_) return ids;
-  for (const std::string& name : open_->run.covered())
-    if (const auto id = view_of(name)) ids.push_back(*id);
-  return ids;
-}
-
-Emphasis LessonSession::emphasis() const { return open_ ? emphasis_of(open_->run.step()) : Emphasis{}; }
 
 bool LessonSession::needs_texels() const { return open_ && open_->run.step().written.find("error.texels.") != std::string::npos; }
 

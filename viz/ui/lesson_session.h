@@ -77,8 +77,8 @@ class LessonSession {
   std::uint64_t revision() const { return revision_; }
   /// What went wrong last: a file and its line; empty: nothing. The last good version stays open.
   const std::string& error() const { return error_; }
-  std::vector<ViewId> covered() const;
-  Emphasis emphasis() const;
+  std::vector<ViewId> covered() const { return open_ ? open_->run.covered() : std::vector<ViewId>(); }
+  Emphasis emphasis() const { return open_ ? open_->run.step().emphasis : Emphasis(); }
   /// The step speaks of texels over all pixels, or asks for them.
   bool needs_texels() const;
   /// Seconds until files are looked at again; infinite without a lesson.
@@ -116,7 +116,7 @@ class LessonSession {
   double looked_ = 0.0;
 };
 
-/// The step's views as the experiment's tiles; views that this program does not have are left out.
-void show_views(const std::vector<std::string>& views, ViewSettings& settings);
+/// A step's views as the experiment's tiles.
+void show_views(const std::vector<ViewId>& views, ViewSettings& settings);
 
 }  // namespace psm
