@@ -14,6 +14,13 @@ struct Broken {
 
 TEST(ALesson, ThatIsFineHasNoFaults) { EXPECT_EQ(first_fault(kGoodJson, kGoodText), ""); }
 
+TEST(ALesson, MayAnimateAnyNumber) {
+  for (const char* path : {"light.to_light.x", "shadow.camera_shift", "shadow.resolution", "view.map_zoom"}) {
+    const std::string json = replaced(kGoodJson, "\"path\": \"light.theta_deg\"", "\"path\": \"" + std::string(path) + "\"");
+    EXPECT_EQ(first_fault(json, kGoodText), "") << path;
+  }
+}
+
 TEST(ABrokenLessonJson, NamesItsLineAndWhatIsAllowed) {
   const Broken table[] = {
       {"\"title\": \"A small lesson\",", "\"title\": \"A small lesson\"",
@@ -83,7 +90,13 @@ TEST(ABrokenLessonJson, NamesItsLineAndWhatIsAllowed) {
       {"\"continues\": true", "\"continues\": 1", "lesson.json:44: steps.1.continues: 1 is not allowed; allowed: true or false"},
       {"\"to\": 160", "\"to\": 200", "lesson.json:46: steps.1.animation.to: 200 is not allowed; allowed: a number in [0, 180]"},
       {"\"path\": \"light.theta_deg\"", "\"path\": \"light.type\"",
-       "lesson.json:46: steps.1.animation.path: is not a number; allowed: the path of a number, or light.theta_deg"},
+       "lesson.json:46: steps.1.animation.path: light.type: not one number; allowed: a member that is a number, a vector's "
+       "component such as light.position.x, or light.theta_deg"},
+      {"\"path\": \"light.theta_deg\"", "\"path\": \"light.cone_deg\"",
+       "lesson.json:42: step 2: animation: light.cone_deg: has no meaning for this experiment; allowed: a member that has"},
+      {"\"path\": \"light.theta_deg\"", "\"path\": \"camera.near\"",
+       "lesson.json:42: step 2: animation: camera.far: 100 is not allowed; allowed: a number greater than camera.near (160), or "
+       "inf"},
       {"$w \\\\ne 0$", "$w \\\\not 0$",
        "lesson.json:21: steps.0.questions.0.why: formula \"w \\not 0\": \\not: no such command; allowed: \\frac \\sqrt \\text "
        "\\mathbf \\hat \\bar \\left \\right \\quad \\, \\; Greek letters, and the signs and functions that lessons/README.md "

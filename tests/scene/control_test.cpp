@@ -30,6 +30,20 @@ TEST(Control, SetsNumbersAndComponents) {
   EXPECT_EQ(with("view.map_center.y", 0.25).view.map_center.y, 0.25);
 }
 
+TEST(Control, ReadsWhatItSets) {
+  for (const char* path : {"camera.near", "shadow.camera_shift", "light.to_light.x", "view.map_center.y", "light.theta_deg"})
+    EXPECT_NEAR(find_control(path, Experiment())->value(with(path, 0.75)), 0.75, 1e-12) << path;
+  EXPECT_EQ(find_control("shadow.resolution", Experiment())->value(with("shadow.resolution", 511.6)), 512.0);
+  EXPECT_TRUE(std::isnan(find_control("shadow.camera_shift", Experiment())->value(Experiment()))) << "a rule is no number";
+}
+
+TEST(Control, KnowsItsNumbersRange) {
+  EXPECT_EQ(control_range("light.theta_deg")->highest, 180.0);
+  EXPECT_EQ(control_range("light.cone_deg")->highest, find_field("light.cone_deg")->max) << "in some experiment";
+  EXPECT_EQ(control_range("view.probe.x") ? "a number" : control_range("view.probe.x").error().text,
+            find_control("view.probe.x", Experiment()).error().text);
+}
+
 TEST(Control, TurnsADirectionalLightInThePlaneItStartedIn) {
   Experiment experiment;
   const auto control = find_control("light.theta_deg", experiment);

@@ -51,5 +51,15 @@ TEST(Between, WhatHasNoMiddleIsThereAtOnce) {
   EXPECT_EQ(between(from, to, 0.1), to);
 }
 
+TEST(Eased, IsGentleAtBothEndsAndStaysThere) {
+  EXPECT_EQ(eased(-1.0), 0.0);
+  EXPECT_EQ(eased(0.0), 0.0);
+  EXPECT_EQ(eased(1.0), 1.0);
+  EXPECT_EQ(eased(7.0), 1.0);
+  EXPECT_LT(eased(0.01), 0.001);
+  EXPECT_GT(eased(0.99), 0.999);
+  for (double part = 0.0; part < 1.0; part += 0.125) EXPECT_LT(eased(part), eased(part + 0.125));
+}
+
 }  // namespace
 }  // namespace psm

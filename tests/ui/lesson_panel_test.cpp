@@ -206,6 +206,39 @@ TEST_F(LessonPanelTest, ALinkSetsMembersAndPlayMovesTheLight) {
   EXPECT_NEAR(bench_->analysis().theta.value_or(0), glm::radians(60.0), 1e-6);
 }
 
+/// Steps with a short animation each.
+constexpr const char* kMoving = R"({
+  "psmlab_lesson": 1, "title": "A small lesson", "summary": "For the test.", "base": {"scene": {"source": "ground"}},
+  "steps": [
+    {"heading": "Ahead", "views": ["world"],
+     "animation": {"path": "shadow.camera_shift", "from": 0, "to": 2, "seconds": 0.3}},
+    {"heading": "Behind", "views": ["world"],
+     "animation": {"path": "light.to_light.x", "from": -1, "to": 3, "seconds": 0.3}}
+  ]
+})";
+
+TEST_F(LessonPanelTest, PlaysWhateverNumberAControlMoves) {
+  write(kMoving, kText);
+  open();
+  click("lesson.play");
+  EXPECT_EQ(bench_->experiment().shadow.camera_shift, CameraShift(2.0)) << "a rule before";
+  bench_->key(key::page_down);
+  click("lesson.play");
+  EXPECT_EQ(bench_->experiment().light.to_light.x, 3.0);
+}
+
+TEST_F(LessonPanelTest, UndoOnTheWayStopsAPlay) {
+  write(kMoving, kText);
+  open();
+  const Experiment before = bench_->experiment();
+  bench_->press(bench_->at("lesson.play"));
+  bench_->input().mouse_button(0, false);
+  for (int i = 0; i < 8; ++i) bench_->frame();
+  ASSERT_NE(bench_->experiment(), before);
+  bench_->key('Z', {true, false, false});
+  EXPECT_EQ(bench_->experiment(), before);
+}
+
 TEST_F(LessonPanelTest, IsReadAgainWhenItsFilesChange) {
   open();
   write(kJson, std::string(kText) + "\n## More\n");

@@ -7,6 +7,7 @@
 
 #include "draw/utf8.h"
 #include "lesson/formula.h"
+#include "scene/control.h"
 #include "scene/share_text.h"
 
 namespace psm {
@@ -27,6 +28,7 @@ class StepCheck {
     for_each_run([&](const Inline& run, const char* file) { check_live_value(run, file); });
     for_each_run([&](const Inline& run, const char* file) { check_set_link(run, file); });
     check_controls();
+    if (step_.animation) check_animation(*step_.animation);
     for (const Question& question : step_.questions) check_question(question);
     for (const Task& task : step_.tasks) check_task(task);
     for (const Claim& claim : step_.claims) check_claim(claim);
@@ -112,15 +114,22 @@ class StepCheck {
   }
 
   void check_controls() {
-    std::vector<std::string> paths = step_.controls;
-    if (step_.animation) paths.push_back(step_.animation->path);
-    for (const std::string& path : paths) {
+    for (const std::string& path : step_.controls) {
       const Experiment& experiment = loaded_->experiment;
       const bool applies =
           path == kThetaControl ? experiment.light.type == LightType::directional : find_field(path)->applies(experiment);
       if (!applies)
         fail(step_.line,
              path + ": has no meaning for this step's " + name_of(experiment.light.type) + " light; allowed: a control that has");
+    }
+  }
+
+  void check_animation(const Animation& animation) {
+    const auto control = find_control(animation.path, loaded_->experiment);
+    if (!control) return fail(step_.line, "animation: " + control.error().text);
+    for (const double end : {animation.from, animation.to}) {
+      Experiment experiment = loaded_->experiment;
+      if (const auto error = (*control)(experiment, end)) return fail(step_.line, "animation: " + error->text);
     }
   }
 

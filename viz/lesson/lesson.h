@@ -2,7 +2,7 @@
 // A lesson: one plain value, read from a folder that holds lesson.json and text.md (lessons/README.md says what they may hold).
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +12,7 @@
 #include "draw/emphasis.h"
 #include "lesson/markdown.h"
 #include "scene/curve_row.h"
+#include "scene/experiment_between.h"
 #include "scene/experiment_members.h"
 #include "scene/result.h"
 
@@ -78,14 +79,11 @@ struct Claim {
 };
 
 struct Animation {
-  std::string path;  // of a number in the experiment, or light.theta_deg
+  std::string path;  // of a number, as find_control takes it
   double from = 0.0, to = 1.0, seconds = 4.0;
 
   /// Its value so many seconds after the start; gently at both ends.
-  double at(double time) const {
-    const double t = std::clamp(time / seconds, 0.0, 1.0);
-    return t < 1.0 ? from + t * t * (3.0 - 2.0 * t) * (to - from) : to;
-  }
+  double at(double time) const { return std::lerp(from, to, eased(time / seconds)); }
 };
 
 struct Step {
@@ -128,8 +126,5 @@ std::size_t take_lesson_step(std::string& name);
 /// "5  Directional lights": the number from the lesson's name, "05_directional_lights", before its title. A name without one
 /// adds nothing.
 std::string numbered_title(const std::string& name, const std::string& title);
-
-/// The one derived path among controls: the angle between view and a directional light.
-inline constexpr const char* kThetaControl = "light.theta_deg";
 
 }  // namespace psm

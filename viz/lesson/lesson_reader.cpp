@@ -7,6 +7,7 @@
 #include "lesson/condition_reader.h"
 #include "lesson/file_text.h"
 #include "lesson/lesson.h"
+#include "scene/control.h"
 
 namespace psm {
 namespace {
@@ -62,15 +63,13 @@ std::vector<std::string> read_controls(const MemberReader& json) {
 Animation read_animation(const MemberReader& json) {
   Animation animation;
   if (!json.has_only({"path", "from", "to", "seconds"})) return animation;
-  animation.path = read_control(json.member("path", true));
-  const Field* field = find_field(animation.path);
-  const bool is_number = field && std::holds_alternative<NumberRef>(field->member);
-  if (json.fine() && !is_number && animation.path != kThetaControl)
-    json.member("path").fail("is not a number; allowed: the path of a number, or light.theta_deg");
+  const MemberReader path = json.member("path", true);
+  animation.path = path.text();
   if (!json.fine()) return animation;
-  const double lowest = field ? field->min : 0.0, highest = field ? field->max : 180.0;
-  animation.from = json.member("from", true).number(lowest, highest);
-  animation.to = json.member("to", true).number(lowest, highest);
+  const auto range = control_range(animation.path);
+  if (!range) return path.fail(range.error().text), animation;
+  animation.from = json.member("from", true).number(range->lowest, range->highest);
+  animation.to = json.member("to", true).number(range->lowest, range->highest);
   animation.seconds = json.member("seconds", true).number(0.1, 60);
   return animation;
 }

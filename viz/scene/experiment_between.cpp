@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/experiment_between.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace psm {
@@ -65,6 +66,11 @@ Experiment between(const Experiment& from, const Experiment& to, double way) {
   shadow_between(from.shadow, e.shadow, way);
   e.view.world_to_cube = glm::mix(from.view.world_to_cube, to.view.world_to_cube, way);
   return e;
+}
+
+double eased(double part) {
+  const double t = std::clamp(part, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
 }
 
 }  // namespace psm

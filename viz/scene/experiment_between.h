@@ -10,4 +10,7 @@ namespace psm {
 /// which is that of `to` at once. Directions turn; distances that span decades change by equal factors in equal times.
 Experiment between(const Experiment& from, const Experiment& to, double way);
 
+/// How far something that moves has come after this part of its time: 0 at the start, 1 at the end and after, gently at both.
+double eased(double part);
+
 }  // namespace psm

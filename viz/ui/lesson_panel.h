@@ -10,16 +10,10 @@
 #include "ui/lesson_session.h"
 #include "ui/lesson_stage.h"
 #include "ui/light_controls.h"
+#include "ui/number_play.h"
 #include "ui/page_view.h"
 
 namespace psm {
-
-/// A number of the experiment on its way through a step's animation.
-struct LessonPlay {
-  double start = 0.0;                    // seconds
-  double last = 0.0;                     // what it set last: anything else means that the user has taken over
-  std::optional<glm::dvec3> theta_side;  // of the light's angle
-};
 
 class LessonPanel {
  public:
@@ -44,7 +38,7 @@ class LessonPanel {
   std::optional<std::size_t> open_question() const { return open_question_; }
   std::optional<std::size_t> open_task() const { return open_task_; }
 
-  /// Moves the animated number; returns whether it goes on.
+  /// Moves the animated number; whether it has.
   bool play(const LessonSession& session, double now, Experiment& experiment);
   void stop() { play_.reset(); }
   bool playing() const { return play_.has_value(); }
@@ -97,7 +91,7 @@ class LessonPanel {
   std::map<std::string, CachedPage> pages_;
   LightControls light_;
   std::map<std::string, double> typed_;  // numbers not yet answered, by the question's name
-  std::optional<LessonPlay> play_;
+  std::optional<NumberPlay> play_;
   std::string shown_step_;                   // that pages, scroll position and animation belong to
   std::optional<std::size_t> answered_now_;  // a question whose verdict is to be scrolled to
   bool lists_ = false;

@@ -65,6 +65,22 @@ void LessonPanel::text_parts(const Context& c, Parts& parts) {
                    }});
 }
 
+void LessonPanel::animation_button(Context& c) {
+  const Animation& animation = *c.run().step().animation;
+  const auto control = find_control(animation.path, c.experiment);
+  if (!control) return;  // another type of light, say
+  if (c.button(play_ ? "■ Stop" : "▶ Play", "lesson.play")) {
+    if (play_) return play_.reset();
+    play_ = NumberPlay{animation, *control, ImGui::GetTime()};
+  }
+  rest_tooltip("Plays " + animation.path + ".");
+}
+
+bool LessonPanel::play(const LessonSession& session, double now, Experiment& experiment) {
+  if (!session.run() || !session.run()->step().animation) play_.reset();
+  return move_number(play_, experiment, now);
+}
+
 void LessonPanel::control_parts(const Context& c, Parts& parts) {
   parts.push_back({c.part_heading_height(), [](Context&) { part_heading("Try it"); }, true});
   for (const std::string& path : c.run().step().controls) {

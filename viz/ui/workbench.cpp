@@ -84,7 +84,7 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   for (const LessonCommand& command : std::exchange(lesson_commands_, {})) perform(command);
   // What is on its way to a solution does not count as one, nor as a result.
   const bool moving = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive() || lesson_panel_.playing();
-  if (!reveal_) show_lesson_experiment(lessons_.update(model_, ImGui::GetTime(), moving));
+  if (!movements_.reveals()) show_lesson_experiment(lessons_.update(model_, ImGui::GetTime(), moving));
   model_.set_points_source(settings_.points_from);
   readback_.take(model_, renderer_, profile_);
 
@@ -112,9 +112,8 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar(3);
-  move_camera_shift(f.edited, f.tag, f.now);
-  move_world_to_cube(f.edited, f.tag, f.now);
-  move_reveal(f.edited, f.tag, f.now);
+  if (movements_.any()) wake();
+  f.tag = movements_.move(f.edited, f.now);
   if (!presenting_) splitters(f);
   move_selected_handle(f.layout.view(ViewId::world), f.scale, f.edited, f.tag);
   tiles(f);
@@ -278,8 +277,7 @@ void Workbench::commit(Frame& f) {
 void Workbench::draw_views(Frame& f) {
   const auto start = std::chrono::steady_clock::now();
   const auto sizes = f.view_sizes();
-  const bool resting =
-      !f.changed && !shift_play_ && !cube_play_ && !reveal_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
+  const bool resting = !f.changed && !movements_.any() && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
   if (resting && sizes[std::size_t(ViewId::eye)].x > 0) images_.trace_overlay(model_, profile_);
   if (resting && shows_texels()) count_texels();
   // A fit that a hidden view never had is found when the view shows.

@@ -20,6 +20,7 @@
 #include "ui/input_queue.h"
 #include "ui/lesson_panel.h"
 #include "ui/model.h"
+#include "ui/movements.h"
 #include "ui/probe_hover.h"
 #include "ui/profile_panel.h"
 #include "ui/settings.h"
@@ -42,28 +43,9 @@ struct WorkbenchOptions {
   std::function<std::optional<InputError>(const std::filesystem::path&, const ShownViews&)> write_views;
 };
 
-/// The camera shift on its way from 0 to the automatic value.
-struct ShiftPlay {
-  double start, end_shift;  // start in seconds
-  CameraShift last;         // what it set last: anything else means that the user has taken over
-};
-
-/// The cube view on its way to the world or to the cube.
-struct CubePlay {
-  double start, from, to;  // start in seconds
-  double last;
-};
-
 /// How much larger everything is in front of a class, in a window of this size: capitals of a 48th of its height, so that the
 /// last row reads them. `scale`: without a class.
 double presenting_scale(glm::ivec2 window, double scale);
-
-/// The experiment on its way to what an answer, a solution or a link reveals.
-struct Reveal {
-  double start;  // in seconds
-  Experiment from, to;
-  Experiment last;
-};
 
 /// Needs a current OpenGL context and a current ImGui context.
 class Workbench {
@@ -151,15 +133,7 @@ class Workbench {
   bool key_is_free(const KeyPress& press);
   bool is_covered(ViewId id) const;
   void cover_tiles(Frame& f);
-  void play_camera_shift();
-  void play_world_to_cube();
-  /// How far a movement has come, 0 to 1; at once at its end where motion is off.
-  double played(double now, double start, double seconds) const;
-  void play_reveal(const Experiment& to);
-  bool finish_reveal();
-  void move_reveal(Experiment& edited, std::string& tag, double now);
-  void move_camera_shift(Experiment& edited, std::string& tag, double now);
-  void move_world_to_cube(Experiment& edited, std::string& tag, double now);
+  void reveal(const Experiment& to);
   void keep_light_in_place(Experiment& edited) const;
   void pane_header(Frame& f);
   void pane_numbers(Frame& f);
@@ -224,10 +198,7 @@ class Workbench {
   LessonPanel lesson_panel_;
   std::vector<LessonCommand> lesson_commands_;  // for the next frame
   bool pane_before_lesson_ = true;
-  std::optional<ShiftPlay> shift_play_;
-  std::optional<CubePlay> cube_play_;
-  std::optional<Reveal> reveal_;
-  ShiftRule played_rule_ = ShiftRule::automatic;
+  Movements movements_{model_};
   Dialogs dialogs_;
   Requests requests_;
   Places places_;

@@ -46,7 +46,7 @@ std::optional<ViewId> view_of(Action action) {
 
 void Workbench::take_keys(const std::vector<KeyPress>& presses) {
   for (const KeyPress& press : presses) {
-    if (!is_modifier(press.key) && finish_reveal()) continue;  // the key that skips it
+    if (!is_modifier(press.key) && movements_.finish_reveal(ImGui::GetTime())) continue;  // the key that skips it
     const bool enter = press.key == key::enter || press.key == key::keypad_enter;
     if (dialogs_.shown() != Dialogs::Kind::none) {
       if (press.key == key::escape || (enter && dialogs_.only_closes())) dialogs_.close();
@@ -128,9 +128,10 @@ void Workbench::act(Action action) {
     case Action::technique_previous:
       return change_technique(-1);
     case Action::play_camera_shift:
-      return play_camera_shift();
+      if (const auto why_not = movements_.play_camera_shift(ImGui::GetTime(), settings_.reduced_motion)) message_ = *why_not;
+      return;
     case Action::play_world_to_cube:
-      return play_world_to_cube();
+      return movements_.play_world_to_cube(ImGui::GetTime(), settings_.reduced_motion);
     case Action::eye_overlay_next:
       return change_eye_overlay();
     case Action::toggle_texel_grid:

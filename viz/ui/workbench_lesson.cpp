@@ -46,12 +46,12 @@ void Workbench::lesson_pane(Frame& f) {
 
 void Workbench::perform(const LessonCommand& command) {
   const bool was_open = lessons_.run() != nullptr;
-  finish_reveal();
+  movements_.finish_reveal(ImGui::GetTime());
   lesson_panel_.stop();
   const auto next = lessons_.perform(command, model_);
   if (!was_open && lessons_.run()) own_history_ = model_.replace_history(History());
   if (next && reveals(command))
-    play_reveal(*next);
+    reveal(*next);
   else
     show_lesson_experiment(next);
   // Undo stays within a step: its text would not fit the experiment of another. The student's own history comes back.
@@ -59,6 +59,14 @@ void Workbench::perform(const LessonCommand& command) {
   if (was_open && !lessons_.run()) model_.replace_history(std::exchange(own_history_, History()));
   if (enters_step(command.kind) && lessons_.run() && lessons_.error().empty()) lesson_panel_.show_list(false);
   if (was_open && !lessons_.run()) toggle_lesson_pane();
+}
+
+/// Another scene has nothing in common with this one: it is there at once.
+void Workbench::reveal(const Experiment& to) {
+  drag_ = {};
+  if (settings_.reduced_motion || to.scene != model_.experiment().scene) return commit_now(to);
+  movements_.play_reveal(to, ImGui::GetTime());
+  wake();
 }
 
 /// The step's start is what resets go back to while the lesson is open.
