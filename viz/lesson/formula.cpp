@@ -2,8 +2,8 @@
 #include "lesson/formula.h"
 
 #include <cctype>
-#include <map>
 
+#include "lesson/formula_symbols.h"
 #include "scene/experiment_members.h"
 
 namespace psm {
@@ -12,104 +12,6 @@ namespace {
 using Kind = Formula::Kind;
 using Role = Formula::Role;
 
-struct Symbol {
-  const char* text;
-  Role role = Role::ordinary;
-  bool italic = false;
-};
-
-const std::map<std::string, Symbol>& symbols() {
-  static const std::map<std::string, Symbol> table{{"alpha", {"α", Role::ordinary, true}},
-                                                   {"beta", {"β", Role::ordinary, true}},
-                                                   {"gamma", {"γ", Role::ordinary, true}},
-                                                   {"delta", {"δ", Role::ordinary, true}},
-                                                   {"epsilon", {"ε", Role::ordinary, true}},
-                                                   {"varepsilon", {"ε", Role::ordinary, true}},
-                                                   {"zeta", {"ζ", Role::ordinary, true}},
-                                                   {"eta", {"η", Role::ordinary, true}},
-                                                   {"theta", {"θ", Role::ordinary, true}},
-                                                   {"iota", {"ι", Role::ordinary, true}},
-                                                   {"kappa", {"κ", Role::ordinary, true}},
-                                                   {"lambda", {"λ", Role::ordinary, true}},
-                                                   {"mu", {"μ", Role::ordinary, true}},
-                                                   {"nu", {"ν", Role::ordinary, true}},
-                                                   {"xi", {"ξ", Role::ordinary, true}},
-                                                   {"pi", {"π", Role::ordinary, true}},
-                                                   {"rho", {"ρ", Role::ordinary, true}},
-                                                   {"sigma", {"σ", Role::ordinary, true}},
-                                                   {"tau", {"τ", Role::ordinary, true}},
-                                                   {"upsilon", {"υ", Role::ordinary, true}},
-                                                   {"phi", {"φ", Role::ordinary, true}},
-                                                   {"varphi", {"φ", Role::ordinary, true}},
-                                                   {"chi", {"χ", Role::ordinary, true}},
-                                                   {"psi", {"ψ", Role::ordinary, true}},
-                                                   {"omega", {"ω", Role::ordinary, true}},
-                                                   {"Gamma", {"Γ"}},
-                                                   {"Delta", {"Δ"}},
-                                                   {"Theta", {"Θ"}},
-                                                   {"Lambda", {"Λ"}},
-                                                   {"Xi", {"Ξ"}},
-                                                   {"Pi", {"Π"}},
-                                                   {"Sigma", {"Σ"}},
-                                                   {"Upsilon", {"Υ"}},
-                                                   {"Phi", {"Φ"}},
-                                                   {"Psi", {"Ψ"}},
-                                                   {"Omega", {"Ω"}},
-                                                   {"cdot", {"·", Role::binary}},
-                                                   {"times", {"×", Role::binary}},
-                                                   {"pm", {"±", Role::binary}},
-                                                   {"cap", {"∩", Role::binary}},
-                                                   {"cup", {"∪", Role::binary}},
-                                                   {"circ", {"∘", Role::binary}},
-                                                   {"le", {"≤", Role::relation}},
-                                                   {"leq", {"≤", Role::relation}},
-                                                   {"ge", {"≥", Role::relation}},
-                                                   {"geq", {"≥", Role::relation}},
-                                                   {"ne", {"≠", Role::relation}},
-                                                   {"neq", {"≠", Role::relation}},
-                                                   {"approx", {"≈", Role::relation}},
-                                                   {"to", {"→", Role::relation}},
-                                                   {"in", {"∈", Role::relation}},
-                                                   {"perp", {"⊥", Role::relation}},
-                                                   {"infty", {"∞"}},
-                                                   {"ldots", {"…"}},
-                                                   {"dots", {"…"}},
-                                                   {"sum", {"∑", Role::function}},
-                                                   {"sin", {"sin", Role::function}},
-                                                   {"cos", {"cos", Role::function}},
-                                                   {"tan", {"tan", Role::function}},
-                                                   {"arctan", {"arctan", Role::function}},
-                                                   {"ln", {"ln", Role::function}},
-                                                   {"log", {"log", Role::function}},
-                                                   {"max", {"max", Role::function}},
-                                                   {"min", {"min", Role::function}},
-                                                   {"det", {"det", Role::function}},
-                                                   {"{", {"{", Role::opening}},
-                                                   {"}", {"}", Role::closing}},
-                                                   {"|", {"‖"}}};
-  return table;
-}
-
-const std::map<char, Symbol>& characters() {
-  static const std::map<char, Symbol> table{{'+', {"+", Role::binary}},
-                                            {'-', {"−", Role::binary}},
-                                            {'=', {"=", Role::relation}},
-                                            {'<', {"<", Role::relation}},
-                                            {'>', {">", Role::relation}},
-                                            {'(', {"(", Role::opening}},
-                                            {')', {")", Role::closing}},
-                                            {'[', {"[", Role::opening}},
-                                            {']', {"]", Role::closing}},
-                                            {'|', {"|"}},
-                                            {',', {",", Role::punctuation}},
-                                            {';', {";", Role::punctuation}},
-                                            {':', {":", Role::relation}},
-                                            {'.', {"."}},
-                                            {'/', {"/"}},
-                                            {'\'', {"′"}}};
-  return table;
-}
-
 Formula make(Kind kind, std::vector<Formula> parts = {}) {
   Formula formula;
   formula.kind = kind;
@@ -117,7 +19,7 @@ Formula make(Kind kind, std::vector<Formula> parts = {}) {
   return formula;
 }
 
-Formula symbol(const Symbol& s) {
+Formula symbol(const FormulaSymbol& s) {
   Formula formula = make(Kind::symbol);
   formula.text = s.text, formula.role = s.role, formula.italic = s.italic;
   return formula;
@@ -201,7 +103,7 @@ class Parser {
       if (c == '\'') {
         // A prime before ^ joins it.
         ++at_, has_above = true;
-        above.parts.push_back(symbol(characters().at('\'')));
+        above.parts.push_back(symbol(*symbol_of_character(c)));
       } else if (c == '_' || c == '^') {
         ++at_;
         bool& has = c == '_' ? has_below : has_above;
@@ -239,8 +141,7 @@ class Parser {
       letter.text = c, letter.italic = true;
       return letter;
     }
-    const auto found = characters().find(c);
-    if (found != characters().end()) return symbol(found->second);
+    if (const FormulaSymbol* known = symbol_of_character(c)) return symbol(*known);
     --at_;
     refuse("'" + shown_character() +
            "' is not allowed in a formula; allowed: letters, digits, + - = < > ( ) [ ] | , . / ' ; : and commands");
@@ -277,8 +178,7 @@ class Parser {
     if (name == "quad") return space(1.0);
     if (name == ",") return space(0.17);
     if (name == ";") return space(0.28);
-    const auto found = symbols().find(name);
-    if (found != symbols().end()) return symbol(found->second);
+    if (const FormulaSymbol* known = symbol_of_command(name)) return symbol(*known);
     refuse(
         "\\" + quotable(name) +
         ": no such command; allowed: \\frac \\sqrt \\text \\mathbf \\hat \\bar \\left \\right \\quad \\, \\; Greek letters, and "
