@@ -8,6 +8,7 @@
 #include "draw/curve_surface.h"
 #include "draw/curves_view.h"
 #include "draw/plot_axis.h"
+#include "draw/relief_box.h"
 #include "draw/sketch.h"
 
 namespace psm {
@@ -16,38 +17,9 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr int kColumns = 45, kRows = 30;                         // over theta and z, besides the ruled lines
-constexpr double kLeastTheta = 0.25;                             // degrees: at 0 F is infinite
-constexpr double kTurn = 0.9, kTilt = 0.5;                       // radians, of the eye around and above the box
-constexpr double kFloorShare = 0.42;                             // of the height of the page
-constexpr double kWidest = 2.2;                                  // the box, as parts of its height on the page
-constexpr double kLine = 19.0;                                   // height of a line of text
-constexpr dvec2 kTopLeft(70.0, 66.0), kBottomRight(64.0, 56.0);  // room around the box
-constexpr double kOverlap = 0.4;                                 // pixels that neighbours overlap, so that no seam shows
-
-/// Where the box [0, 1]^3 of (theta, log z, log F) stands on the page: a parallel projection from the side of large angles and
-/// depths, because that is where the relief is low.
-class Box3 {
- public:
-  explicit Box3(const dvec2& page) {
-    const dvec2 room = glm::max(page - kTopLeft - kBottomRight, dvec2(40.0));
-    const double along = std::sin(kTurn) + std::cos(kTurn);
-    const double width = std::min(room.x, kWidest * room.y);
-    x_ = width / along;
-    floor_ = kFloorShare * room.y / along;
-    height_ = (1.0 - kFloorShare) * room.y;
-    back_ = {kTopLeft.x + 0.5 * (room.x - width) + x_ * std::cos(kTurn), kTopLeft.y + height_};
-  }
-  dvec2 at(const dvec3& p) const {
-    return back_ + dvec2(x_ * (std::sin(kTurn) * p.x - std::cos(kTurn) * p.y),
-                         floor_ * (std::cos(kTurn) * p.x + std::sin(kTurn) * p.y) - height_ * p.z);
-  }
-  double height() const { return height_; }
-
- private:
-  double x_, floor_, height_;
-  dvec2 back_;  // the corner that is farthest from the eye
-};
+constexpr int kColumns = 45, kRows = 30;  // over theta and z, besides the ruled lines
+constexpr double kLeastTheta = 0.25;      // degrees: at 0 F is infinite
+constexpr double kLine = 19.0;            // height of a line of text
 
 /// A line of the grid, in [0, 1]; some are drawn.
 struct Rule {
@@ -87,10 +59,9 @@ class Relief {
       if (i > 0) strip(i - 1, &Relief::lines);
     }
     curtains();
-    order();
     axes();
     names();
-    return std::move(list_);
+    return box_.list();
   }
 
  private:
@@ -128,36 +99,6 @@ class Relief {
   }
   std::vector<double> z_ticks() const { return plot_ticks(setting_.range.n, setting_.range.f, true, 7); }
 
-  /// Grown by `overlap` on all sides.
-  void fill(std::vector<dvec2> corners, Role role, double alpha, double overlap) {
-    const std::size_t n = corners.size();
-    double area = 0.0;
-    for (std::size_t i = 0; i < n; ++i) area += cross(corners[i], corners[(i + 1) % n]);
-    if (n < 3 || std::abs(area) < 1e-3) return;
-    if (area < 0.0) std::reverse(corners.begin(), corners.end());  // outputs draw one winding before the other
-    DrawFill out{{}, role, alpha, true};
-    for (std::size_t i = 0; i < n; ++i) {
-      const dvec2 before = outwards(corners[(i + n - 1) % n], corners[i]), after = outwards(corners[i], corners[(i + 1) % n]);
-      const dvec2 reach = overlap / std::max(0.5, 1.0 + glm::dot(before, after)) * (before + after);
-      out.corners.push_back({corners[i] + reach, 0.0, 1.0});
-    }
-    list_.fills.push_back(std::move(out));
-  }
-  static double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
-  static dvec2 outwards(const dvec2& a, const dvec2& b) {
-    const double length = glm::distance(a, b);
-    return length > 0.0 ? dvec2(b.y - a.y, a.x - b.x) / length : dvec2(0.0);
-  }
-
-  /// A line as a fill, so that what is nearer covers it.
-  void stroke(const dvec3& from, const dvec3& to, Role role, double width) {
-    const dvec2 a = box_.at(from), b = box_.at(to);
-    const double length = glm::distance(a, b);
-    if (!(length > 1e-9)) return;
-    const dvec2 side = 0.5 * width / length * dvec2(a.y - b.y, b.x - a.x);
-    fill({a + side, b + side, b - side, a - side}, role, role == Role::text ? 0.75 : 1.0, 0.0);
-  }
-
   double shade(std::size_t band) const { return 0.05 + 0.8 * double(band) / double(levels_.size()); }
 
   /// The part of a triangle between two heights, which cut it along lines.
@@ -181,15 +122,13 @@ class Relief {
     for (std::size_t band = 0; band <= levels_.size(); ++band) {
       const double low = band == 0 ? 0.0 : height_of(levels_[band - 1]);
       const double high = band == levels_.size() ? 1.0 : height_of(levels_[band]);
-      std::vector<dvec2> flat;
-      for (const dvec3& p : between(corners, low, high)) flat.push_back(box_.at(p));
-      fill(std::move(flat), Role::curve_gmnpr, shade(band), kOverlap);
+      box_.fill(between(corners, low, high), Role::curve_gmnpr, shade(band));
     }
   }
   void contours(const std::array<dvec3, 3>& corners) {
     for (const double level : levels_) {
       const std::vector<dvec3> cut = between(corners, height_of(level), height_of(level));
-      for (std::size_t i = 1; i < cut.size(); ++i) stroke(cut[i - 1], cut[i], Role::text, 1.5);
+      for (std::size_t i = 1; i < cut.size(); ++i) box_.stroke(cut[i - 1], cut[i], Role::text, 1.5);
     }
   }
 
@@ -199,7 +138,7 @@ class Relief {
     if (a.z > b.z) std::swap(a, b);
     if (a.z >= 1.0 || b.z < 0.0) return;
     if (b.z > 1.0) b = glm::mix(a, b, (1.0 - a.z) / (b.z - a.z));
-    stroke(a, b, rule.role, rule.width);
+    box_.stroke(a, b, rule.role, rule.width);
   }
 
   /// A cell's corners, from the farthest around.
@@ -227,8 +166,8 @@ class Relief {
       if (!std::isfinite(a.z + b.z)) return;
       const auto at_most = [](dvec3 p, double z) { return dvec3(p.x, p.y, std::clamp(p.z, 0.0, z)); };
       const dvec3 top_a = at_most(a, 1.0), top_b = at_most(b, 1.0);
-      fill({box_.at(at_most(a, 0.0)), box_.at(at_most(b, 0.0)), box_.at(top_b), box_.at(top_a)}, Role::neutral, 0.22, kOverlap);
-      stroke(top_a, top_b, Role::text, 1.5);
+      box_.fill({at_most(a, 0.0), at_most(b, 0.0), top_b, top_a}, Role::neutral, 0.22);
+      box_.stroke(top_a, top_b, Role::text, 1.5);
     };
     const auto top = [&](double u, double v) { return dvec3(u, v, height(u, v)); };
     for (std::size_t i = 0; i + 1 < columns_.size(); ++i) curtain(top(columns_[i].at, 1.0), top(columns_[i + 1].at, 1.0));
@@ -245,38 +184,21 @@ class Relief {
     wall_line({0, 1, 0}, {0, 0, 0}), wall_line({0, 0, 0}, {1, 0, 0});
     wall_line({0, 1, 1}, {0, 0, 1}), wall_line({0, 0, 1}, {1, 0, 1});
   }
-  void wall_line(const dvec3& a, const dvec3& b) { stroke(a, b, Role::neutral, 0.8); }
-
-  /// Depths that keep the order of the fills, whoever sorts them.
-  void order() {
-    const double step = 1.8 / double(std::max<std::size_t>(1, list_.fills.size()));
-    double depth = 0.9;
-    for (DrawFill& fill : list_.fills) {
-      for (glm::dvec4& corner : fill.corners) corner.z = depth;
-      depth -= step;
-    }
-  }
-
-  void line(const dvec3& a, const dvec3& b) {
-    list_.lines.push_back({{box_.at(a), 0.0, 1.0}, {box_.at(b), 0.0, 1.0}, Role::neutral, 1.25});
-  }
-  void text(const dvec2& at, const std::string& words, Role role, const dvec2& pivot) {
-    list_.texts.push_back({{at, 0.0, 1.0}, words, role, pivot});
-  }
+  void wall_line(const dvec3& a, const dvec3& b) { box_.stroke(a, b, Role::neutral, 0.8); }
 
   void axes() {
-    line({0, 1, 0}, {1, 1, 0}), line({1, 1, 0}, {1, 0, 0}), line({0, 1, 0}, {0, 1, 1});
+    box_.line({0, 1, 0}, {1, 1, 0}), box_.line({1, 1, 0}, {1, 0, 0}), box_.line({0, 1, 0}, {0, 1, 1});
     const dvec2 front = box_.at({1, 1, 0}), left = box_.at({0, 1, 0}), right = box_.at({1, 0, 0});
     const auto most = [](const dvec2& a, const dvec2& b) { return std::max(2, int(std::abs(a.y - b.y) / (0.75 * kLine))); };
     for (const double angle : angle_ticks(0.0, 90.0, most(left, front)))
-      text(box_.at({angle / 90.0, 1, 0}) + dvec2(-4, 2), tick_text(angle) + "°", Role::neutral, {1.0, 0.0});
+      box_.text(box_.at({angle / 90.0, 1, 0}) + dvec2(-4, 2), tick_text(angle) + "°", Role::neutral, {1.0, 0.0});
     for (const double z : plot_ticks(setting_.range.n, setting_.range.f, true, most(right, front)))
-      text(box_.at({1, v_of(z), 0}) + dvec2(4, 2), tick_text(z), Role::neutral, {0.0, 0.0});
+      box_.text(box_.at({1, v_of(z), 0}) + dvec2(4, 2), tick_text(z), Role::neutral, {0.0, 0.0});
     double last = INFINITY;
     for (const double level : levels_) {
       const dvec2 at = box_.at({0, 1, height_of(level)});
       if (last - at.y < kLine) continue;
-      text(at - dvec2(6, 0), tick_text(level), Role::neutral, {1.0, 0.5});
+      box_.text(at - dvec2(6, 0), tick_text(level), Role::neutral, {1.0, 0.5});
       last = at.y;
     }
   }
@@ -284,9 +206,9 @@ class Relief {
   void names() {
     const double phi = setting_.range.phi_deg;
     const dvec2 left = 0.5 * (box_.at({0, 1, 0}) + box_.at({1, 1, 0})), right = 0.5 * (box_.at({1, 1, 0}) + box_.at({1, 0, 0}));
-    text(left + dvec2(-34, 0.9 * kLine), "angle θ", Role::text, {1.0, 0.0});
-    text(right + dvec2(34, 0.9 * kLine), "depth z", Role::text, {0.0, 0.0});
-    text({kTopLeft.x - 12.0, kTopLeft.y - 6.0}, "F, logarithmic;  " + frustum_text(setting_), Role::text, {0.0, 1.0});
+    box_.text(left + dvec2(-34, 0.9 * kLine), "angle θ", Role::text, {1.0, 0.0});
+    box_.text(right + dvec2(34, 0.9 * kLine), "depth z", Role::text, {0.0, 0.0});
+    box_.text(ReliefBox::kTopLeft - dvec2(12.0, 6.0), "F, logarithmic;  " + frustum_text(setting_), Role::text, {0.0, 1.0});
     const double theta = folded(setting_.theta_deg);
     slice_name(theta, "θ = " + short_number(theta, 4) + "°", Role::light, 0.0);
     const bool close = std::abs(theta - phi) < 12.0;
@@ -298,16 +220,15 @@ class Relief {
   void slice_name(double theta_deg, const std::string& words, Role role, double above) {
     const double u = theta_deg / 90.0, z = height(u, 0.0);
     if (std::isnan(z)) return;
-    text(box_.at({u, 0.0, std::clamp(z, 0.0, 1.0)}) - dvec2(0, 4.0 + above), words, role, {0.5, 1.0});
+    box_.text(box_.at({u, 0.0, std::clamp(z, 0.0, 1.0)}) - dvec2(0, 4.0 + above), words, role, {0.5, 1.0});
   }
 
   const CurveSetting& setting_;
-  Box3 box_;
+  ReliefBox box_;  // of (theta, log z, log F): seen from where the relief is low
   Warp warp_ = surface_warp(setting_);
   std::vector<double> levels_;
   double low_ = 0.0, high_ = 1.0;  // of log F
   std::vector<Rule> columns_, rows_;
-  DrawList list_;
 };
 
 }  // namespace
