@@ -51,16 +51,6 @@ TEST(Presentation, OnlyTheViewsAndTheLightCaseAreThere) {
   }
 }
 
-TEST(Presentation, AViewThatGrewIsPaintedUpToItsCorners) {
-  Bench bench("ground", {"view.tiles=curves"}, {640, 480});
-  bench.resize({1280, 800});
-  const Image grown = bench.view(ViewId::curves);
-  const auto pixel = [&](int x, int y) { return grown.rgba[4 * (std::size_t(y) * std::size_t(grown.width) + std::size_t(x))]; };
-  EXPECT_GT(grown.width, 640);
-  EXPECT_EQ(pixel(grown.width - 2, 1), pixel(1, grown.height - 2));
-  EXPECT_EQ(pixel(grown.width - 2, grown.height - 2), pixel(1, grown.height - 2));
-}
-
 TEST(Presentation, AClickerStepsThroughTheViewsAndEscapeLeaves) {
   Bench bench;
   bench.key(key::page_down);
