@@ -9,6 +9,7 @@
 
 #include "draw/view.h"
 #include "scene/experiment_file.h"
+#include "text_boxes.h"
 
 namespace psm {
 namespace {
@@ -99,6 +100,14 @@ TEST(CurvesView, LabelsKeepApartAndTheCurrentOneStaysWhereThereIsNoRoom) {
     std::sort(heights.begin(), heights.end());
     for (std::size_t i = 1; i < heights.size(); ++i) EXPECT_GE(heights[i] - heights[i - 1], 19.0 - 1e-9);
   }
+}
+
+TEST(CurvesView, NoTextIsCutOrStandsOverAnother) {
+  for (std::size_t i = 0; i < kCurveKinds; ++i)
+    for (const glm::ivec2 size : {glm::ivec2(480, 270), glm::ivec2(640, 360), glm::ivec2(1024, 768)}) {
+      const std::string kind = kind_text(CurveKind(i));
+      testing::expect_readable(testing::texts_on(curves_of({kind}, size), size), size, kind);
+    }
 }
 
 TEST(CurvesView, LargerTypeTakesMoreRoom) {

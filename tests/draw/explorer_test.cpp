@@ -10,6 +10,7 @@
 #include "draw/view.h"
 #include "math/projective.h"
 #include "scene/experiment_file.h"
+#include "text_boxes.h"
 
 namespace psm {
 namespace {
@@ -101,8 +102,19 @@ TEST(ExplorerView, HasTheLightAsItsHandle) {
     })) << type;
     EXPECT_TRUE(says(picture.list, "w = 0")) << type;
     EXPECT_TRUE(says(picture.list, "naive order")) << type;
-    EXPECT_EQ(says(picture.list, "order reversed"), true) << "the region is named";
+    EXPECT_TRUE(says(picture.list, "reversed")) << "the region is named";
   }
+}
+
+TEST(ExplorerView, NoTextOfASliceIsCutOrStandsOverAnother) {
+  for (const char* slice : {"view.explorer_slice=side", "view.explorer_slice=above"})
+    for (const glm::ivec2 size : {glm::ivec2(320, 240), glm::ivec2(300, 500), glm::ivec2(480, 270), glm::ivec2(900, 260)}) {
+      const Case c = with({"light.type=point", slice});
+      const ViewPicture picture = describe_view(ViewId::explorer, c.analysis, c.loaded.scene, size);
+      const auto texts = testing::texts_on(picture, size);
+      testing::expect_readable(texts, size, slice);
+      EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [](const TextBox& t) { return t.text.starts_with("R: "); }));
+    }
 }
 
 TEST(ExplorerView, IsFiniteWhateverTheExperiment) {

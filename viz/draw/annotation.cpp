@@ -25,17 +25,19 @@ Mark leader_to(const glm::dvec2& anchor, const Plate& plate, const glm::vec3& co
 
 glm::dvec2 measure(const std::string& text, double, void* text_size) { return (*static_cast<const TextSize*>(text_size))(text); }
 
-/// On a piece of ground, so that they can be read over lines.
-void add_fixed_texts(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size, Annotations& out) {
+/// On a piece of ground, so that they can be read over lines; moved as far as it takes to stay on the picture.
+void add_fixed_texts(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size, Annotations& out,
+                     std::vector<Occupied>& occupied) {
   constexpr float kGround = 0.7f;
   for (const DrawText& text : picture.list.texts) {
     const glm::dvec4 clip = picture.clip_from_list * text.position;
     if (!(clip.w > 0.0)) continue;
     const glm::dvec2 ndc = glm::dvec2(clip) / clip.w, size = text_size(text.text);
     const glm::dvec2 at(0.5 * (1.0 + ndc.x) * frame.size.x, 0.5 * (1.0 - ndc.y) * frame.size.y);
-    const glm::dvec2 top_left = glm::round(at - text.pivot * size);
+    const glm::dvec2 top_left = glm::clamp(glm::round(at - text.pivot * size), glm::dvec2(0.0), glm::max(frame.size - size, 0.0));
     out.plates.push_back({top_left, size, 2.0 * frame.scale, glm::vec4(picture_ground(frame.theme), kGround), glm::vec4(0.0f)});
     out.texts.push_back({top_left, size, text.text, picture_label_color(text.role, frame.theme)});
+    occupied.push_back({top_left, size});
   }
 }
 
@@ -63,6 +65,7 @@ Annotations annotate(const ViewPicture& picture, const PictureFrame& frame, cons
     occupied.push_back({title.back().top_left, title.back().size});
   }
   if (!picture.legend.empty()) occupied.push_back(lay_out_legend(picture.legend, frame, text_size, out.texts, legend, out.marks));
+  add_fixed_texts(picture, frame, text_size, out, occupied);
   TextSize measured = text_size;
   for (const PlacedLabel& label :
        place_labels(picture.list, picture.clip_from_list, frame.size, frame.scale, measure, &measured, occupied)) {
@@ -71,7 +74,6 @@ Annotations annotate(const ViewPicture& picture, const PictureFrame& frame, cons
     if (label.leader) out.leaders.push_back(leader_to(label.anchor, out.plates.back(), color, frame));
     out.texts.push_back({label.top_left, label.size, label.text, color});
   }
-  add_fixed_texts(picture, frame, text_size, out);
   out.plates.insert(out.plates.end(), title.begin(), title.end());
   out.plates.insert(out.plates.end(), legend.begin(), legend.end());
   return out;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "draw/chart_labels.h"
 #include "draw/split_at_infinity.h"
 
 namespace psm {
@@ -14,17 +15,22 @@ namespace {
 using glm::dvec2;
 
 // On the page: pixels at scale 1.
-constexpr double kLine = 19.0, kGlyph = 8.2;                 // height of a line of text; width of a glyph, on average
+constexpr double kLine = kChartLine;
 constexpr double kLeft = 58.0, kTop = 62.0, kBottom = 50.0;  // the view's title and the axis's above; ticks and title below
 constexpr double kLabelGap = 16.0, kLabelPad = 8.0;
 constexpr double kMinor = 4.0;
+constexpr double kBroken = 13.0;  // a second line of the axis's title, which then begins closer to the view's
 
 glm::dvec4 on_page(const dvec2& p) { return {p, 0.0, 1.0}; }
 
 double label_width(const Chart& chart) {
-  std::size_t longest = 0;
-  for (const ChartCurve& curve : chart.curves) longest = std::max(longest, curve.label.size());
-  return longest == 0 ? 12.0 : kGlyph * double(longest) + kLabelGap + kLabelPad;
+  double longest = 0.0;
+  for (const ChartCurve& curve : chart.curves) longest = std::max(longest, chart_text_width(curve.label));
+  return longest > 0.0 ? longest + kLabelGap + kLabelPad : 12.0;
+}
+
+std::string title_in_one_line(const ChartAxis& axis) {
+  return axis.remark.empty() ? axis.title : axis.title + ";  " + axis.remark;
 }
 
 /// What stands at the right end of a curve.
@@ -45,7 +51,9 @@ class ChartDrawing {
     axes();
     for (const ChartMark& mark : chart_.marks) vertical(mark);
     for (const ChartLevel& level : chart_.levels) iso_line(level);
+    const auto before_curves = std::ptrdiff_t(list_.lines.size());
     for (const ChartCurve& curve : chart_.curves) polyline(curve);
+    curves_.assign(list_.lines.begin() + before_curves, list_.lines.end());
     for (const ChartPoint& p : chart_.points)
       if (frame_.contains(frame_.at(p.at))) list_.points.push_back({on_page(frame_.at(p.at)), p.role, p.radius});
     level_labels();
@@ -84,7 +92,7 @@ class ChartDrawing {
     for (const double tick : ticks(chart_.y, bottom - top, 34.0)) {
       const double y = frame_.y.at(tick);
       line({left, y}, {right, y}, Role::neutral, 1.0, 0.25);
-      text({left - 6.0, y}, tick_text(tick), Role::neutral, {1.0, 0.5});
+      text({left - 9.0, y}, tick_text(tick), Role::neutral, {1.0, 0.5});
     }
     if (chart_.x.log)
       for (const double tick : minor_ticks(chart_.x.low, chart_.x.high))
@@ -94,7 +102,9 @@ class ChartDrawing {
         line({left, frame_.y.at(tick)}, {left + kMinor, frame_.y.at(tick)}, Role::neutral, 1.0);
     line({left, bottom}, {right, bottom}, Role::neutral, 1.25);
     line({left, bottom}, {left, top}, Role::neutral, 1.25);
-    text({left, top - 4.0}, chart_.y.title, Role::text, {0.0, 1.0});
+    const ChartAxis& y = chart_.y;
+    text({left, top - 4.0}, frame_.title_broken ? y.remark : title_in_one_line(y), Role::text, {0.0, 1.0});
+    if (frame_.title_broken) text({left, top - 4.0 - kLine}, y.title, Role::text, {0.0, 1.0});
     text({right, bottom + kLine + 3.0}, chart_.x.title, Role::text, {1.0, 0.0});
   }
 
@@ -184,23 +194,23 @@ class ChartDrawing {
     }
   }
 
-  /// One below the other, on the side of their lines where there is room.
   void mark_labels() {
-    double row = frame_.y.to() + 2.0;
-    for (const ChartMark& mark : chart_.marks) {
-      if (mark.label.empty() || !frame_.x.contains(mark.x)) continue;
-      const double x = frame_.x.at(mark.x), width = kGlyph * double(mark.label.size());
-      const bool to_left = x + width + 6.0 > frame_.x.to() && x - width - 6.0 > frame_.x.from();
-      const double y = mark.label_below ? frame_.y.from() - kLine - 2.0 : row;
-      if (!mark.label_below) row += kLine;
-      if (row > frame_.y.from() - kLine && !mark.label_below) continue;
-      text({to_left ? x - 5.0 : x + 5.0, y}, mark.label, mark.role, {to_left ? 1.0 : 0.0, 0.0});
-    }
+    std::vector<double> at;
+    for (const ChartMark& mark : chart_.marks)
+      if (frame_.x.contains(mark.x)) at.push_back(frame_.x.at(mark.x));
+    MarkLabels labels(box_, curves_, at);
+    for (const bool below : {true, false})
+      for (const ChartMark& mark : chart_.marks) {
+        if (mark.label_below != below || mark.label.empty() || !frame_.x.contains(mark.x)) continue;
+        const auto place = labels.place(mark, frame_.x.at(mark.x));
+        if (place) text(place->at, place->text, mark.role, {place->to_left ? 1.0 : 0.0, 0.0});
+      }
   }
 
   const Chart& chart_;
   const ChartFrame& frame_;
   Box box_;
+  std::vector<DrawLine> curves_;
   DrawList list_;
 };
 
@@ -214,9 +224,10 @@ bool ChartFrame::contains(const dvec2& page) const {
 
 ChartFrame chart_frame(const Chart& chart, const dvec2& page) {
   const double right = std::max(kLeft + 20.0, page.x - std::min(label_width(chart), 0.4 * page.x));
-  const double bottom = std::max(kTop + 20.0, page.y - kBottom);
+  const bool broken = !chart.y.remark.empty() && kLeft + chart_text_width(title_in_one_line(chart.y)) > page.x;
+  const double top = kTop + (broken ? kBroken : 0.0), bottom = std::max(top + 20.0, page.y - kBottom);
   return {PlotScale(chart.x.low, chart.x.high, chart.x.log, kLeft, right),
-          PlotScale(chart.y.low, chart.y.high, chart.y.log, bottom, kTop)};
+          PlotScale(chart.y.low, chart.y.high, chart.y.log, bottom, top), broken};
 }
 
 DrawList chart_list(const Chart& chart, const ChartFrame& frame) { return ChartDrawing(chart, frame).list(); }

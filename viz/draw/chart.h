@@ -36,10 +36,10 @@ struct ChartCell {
   Role role = Role::text;
 };
 
-/// A vertical line over the whole plot; its label stands at the top, or at the bottom.
+/// A vertical line over the whole plot; its label stands beside it, as near as can be to the top, or to the bottom.
 struct ChartMark {
   double x = 0.0;
-  std::string label;
+  std::string label, short_label;  // the short one, if there is one, where there is no room for the other
   Role role = Role::neutral;
   double width = 1.25;
   LineStyle style = LineStyle::dashed;
@@ -48,6 +48,7 @@ struct ChartMark {
 
 struct ChartAxis {
   std::string title;
+  std::string remark;  // behind the title, or below it on a narrow page
   double low = 0.0, high = 1.0;
   bool log = false;
   bool angles = false;
@@ -71,6 +72,7 @@ struct Chart {
 /// Where values stand on the page.
 struct ChartFrame {
   PlotScale x, y;
+  bool title_broken = false;  // the remark of y stands below its title
   glm::dvec2 at(const glm::dvec2& value) const { return {x.at(value.x), y.at(value.y)}; }
   bool contains(const glm::dvec2& page) const;  // within the axes
 };

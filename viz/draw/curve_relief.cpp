@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "draw/chart_labels.h"
 #include "draw/curve_surface.h"
 #include "draw/curves_view.h"
 #include "draw/plot_axis.h"
@@ -19,7 +20,7 @@ using glm::dvec3;
 
 constexpr int kColumns = 45, kRows = 30;  // over theta and z, besides the ruled lines
 constexpr double kLeastTheta = 0.25;      // degrees: at 0 F is infinite
-constexpr double kLine = 19.0;            // height of a line of text
+constexpr double kLine = kChartLine;
 
 /// A line of the grid, in [0, 1]; some are drawn.
 struct Rule {
@@ -210,17 +211,22 @@ class Relief {
     box_.text(right + dvec2(34, 0.9 * kLine), "depth z", Role::text, {0.0, 0.0});
     box_.text(ReliefBox::kTopLeft - dvec2(12.0, 6.0), "F, logarithmic;  " + frustum_text(setting_), Role::text, {0.0, 1.0});
     const double theta = folded(setting_.theta_deg);
-    slice_name(theta, "θ = " + short_number(theta, 4) + "°", Role::light, 0.0);
-    const bool close = std::abs(theta - phi) < 12.0;
-    if (std::abs(theta - phi) > 0.01)
-      slice_name(phi, "θ = φ = " + short_number(phi, 4) + "°", Role::neutral, close ? kLine : 0.0);
+    const std::string of_light = "θ = " + short_number(theta, 4) + "°", of_phi = "θ = φ = " + short_number(phi, 4) + "°";
+    const dvec2 light_end = slice_end(theta);
+    dvec2 phi_end = slice_end(phi);
+    const double widths = 0.5 * (chart_text_width(of_light) + chart_text_width(of_phi));
+    if (std::abs(phi_end.x - light_end.x) < widths && std::abs(phi_end.y - light_end.y) < kLine) phi_end.y = light_end.y - kLine;
+    slice_name(light_end, of_light, Role::light);
+    if (std::abs(theta - phi) > 0.01) slice_name(phi_end, of_phi, Role::neutral);
   }
 
-  /// Over the far end of a line of constant theta.
-  void slice_name(double theta_deg, const std::string& words, Role role, double above) {
+  /// The far end of a line of constant theta; not finite where there is none.
+  dvec2 slice_end(double theta_deg) const {
     const double u = theta_deg / 90.0, z = height(u, 0.0);
-    if (std::isnan(z)) return;
-    box_.text(box_.at({u, 0.0, std::clamp(z, 0.0, 1.0)}) - dvec2(0, 4.0 + above), words, role, {0.5, 1.0});
+    return std::isnan(z) ? dvec2(NAN) : box_.at({u, 0.0, std::clamp(z, 0.0, 1.0)});
+  }
+  void slice_name(const dvec2& end, const std::string& words, Role role) {
+    if (std::isfinite(end.x)) box_.text(end - dvec2(0, 4.0), words, role, {0.5, 1.0});
   }
 
   const CurveSetting& setting_;

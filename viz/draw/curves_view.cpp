@@ -130,7 +130,8 @@ void add_curves(CurveKind kind, const CurveSetting& setting, const std::vector<C
 void add_cursor(CurveKind kind, const CurveSetting& setting, Chart& chart) {
   const double theta = folded(setting.theta_deg);
   const std::string behind = setting.theta_deg > 90.0 ? " (light behind: " + short_number(setting.theta_deg, 4) + "°)" : "";
-  chart.marks.push_back({theta, "θ = " + short_number(theta, 4) + "°" + behind, Role::light, 2.5, LineStyle::solid, true});
+  chart.marks.push_back({theta, "θ = " + short_number(theta, 4) + "°" + behind, "θ = " + short_number(theta, 4) + "°",
+                         Role::light, 2.5, LineStyle::solid, true});
   if (kind == CurveKind::surface) return;
   for (const Warp warp : kCurveWarps) {
     const double value = curve_value(kind, setting.range, theta, 0.0, warp);
@@ -140,8 +141,8 @@ void add_cursor(CurveKind kind, const CurveSetting& setting, Chart& chart) {
 
 Chart chart_over_z(CurveKind kind, const CurveSetting& setting) {
   Chart chart;
-  chart.x = {"depth z, θ = " + short_number(setting.theta_deg, 4) + "°", setting.range.n, setting.range.f, true, false};
-  chart.y = {quantity_text(kind) + ";  " + frustum_text(setting), 1.0, 10.0, true, false};
+  chart.x = {"depth z, θ = " + short_number(setting.theta_deg, 4) + "°", "", setting.range.n, setting.range.f, true, false};
+  chart.y = {quantity_text(kind), frustum_text(setting), 1.0, 10.0, true, false};
   add_curves(kind, setting, {}, chart);
   fit_values(kind, setting, chart);
   return chart;
@@ -166,17 +167,17 @@ Role curve_role(Warp warp) { return look_of(warp).role; }
 Chart curve_chart(CurveKind kind, const CurveSetting& setting) {
   if (kind == CurveKind::F_z || kind == CurveKind::E_z) return chart_over_z(kind, setting);
   Chart chart;
-  chart.x = {"θ, between view and light", 0.0, 90.0, false, true};
-  chart.y = {quantity_text(kind) + ";  " + frustum_text(setting), 0.0, 1.0, is_log(kind), false};
+  chart.x = {"θ, between view and light", "", 0.0, 90.0, false, true};
+  chart.y = {quantity_text(kind), frustum_text(setting), 0.0, 1.0, is_log(kind), false};
   const std::vector<CriticalAngle> critical = critical_angles(kind, setting);
   if (kind == CurveKind::surface) {
-    chart.y = {"depth z; lines: F;  " + frustum_text(setting), setting.range.n, setting.range.f, true, false};
+    chart.y = {"depth z; lines: F", frustum_text(setting), setting.range.n, setting.range.f, true, false};
     add_surface(setting, chart);
   } else {
     add_curves(kind, setting, critical, chart);
     fit_values(kind, setting, chart);
   }
-  for (const CriticalAngle& angle : critical) chart.marks.push_back({angle.theta_deg, angle.text});
+  for (const CriticalAngle& angle : critical) chart.marks.push_back({angle.theta_deg, angle.text, angle.short_text});
   add_cursor(kind, setting, chart);
   return chart;
 }

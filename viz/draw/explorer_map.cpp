@@ -15,9 +15,12 @@ namespace {
 constexpr double kMargin = 14.0, kTop = 44.0;  // the view's title above
 constexpr double kWide = 1.2;                  // pages of this aspect have room beside the map
 constexpr double kMapShare = 0.58;             // of a wide page's width, at most
+constexpr double kLeastBeside = 200.0;         // less room than that is of no use: the map has the whole page
 
 PageRect map_rect(const glm::dvec2& page) {
-  const double width = page.x > kWide * page.y ? std::min(kMapShare * page.x, page.y) : page.x;
+  const double beside = std::min(kMapShare * page.x, page.y);
+  const bool wide = page.x > kWide * page.y && page.x - beside - kMargin >= kLeastBeside;
+  const double width = wide ? beside : page.x;
   return {{kMargin, kTop}, {std::max(kMargin + 1.0, width - kMargin), std::max(kTop + 1.0, page.y - kMargin)}};
 }
 

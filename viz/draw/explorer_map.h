@@ -35,7 +35,7 @@ struct ExplorerMap {
 /// By the type of the light, and the experiment's slice.
 ExplorerMap explorer_map(const Analysis& analysis, const glm::dvec2& page);
 
-/// The map stands at the left of a wide page; this is what is left beside it.
+/// The map stands at the left of a wide page; this is what is left beside it. On other pages `max` is left of `min`.
 struct PageRect {
   glm::dvec2 min{0.0}, max{0.0};
 };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "draw/chart.h"
+#include "draw/chart_labels.h"
 #include "draw/explorer_map.h"
 #include "draw/sketch.h"
 #include "scene/curve_quantity.h"
@@ -17,7 +18,7 @@ using glm::dvec2, glm::dvec3, glm::dvec4;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kSides = 120;
-constexpr double kLine = 19.0;
+constexpr double kLine = kChartLine;
 
 dvec4 on_page(const dvec2& p) { return {p, 0.0, 1.0}; }
 
@@ -61,6 +62,10 @@ class ExplorerView {
   }
   void text(const dvec2& at, const std::string& words, Role role, const dvec2& pivot) {
     list_.texts.push_back({on_page(at), words, role, pivot});
+  }
+  /// Finds a place beside what it names.
+  void label(const dvec2& at, const std::string& words, Role role, int priority) {
+    list_.labels.push_back({on_page(at), words, role, priority});
   }
   void polygon(const std::vector<dvec2>& corners, Role role, double alpha) {
     DrawFill fill{{}, role, alpha};
@@ -151,8 +156,9 @@ class ExplorerView {
     const Pen phi{Role::frustum, 1.5, LineStyle::dashed};
     closed_curve([&](double roll) { return glm::radians(phi_deg(roll)); }, phi);
     closed_curve([&](double roll) { return glm::radians(180.0 - phi_deg(roll)); }, phi);
-    const double at = 0.36 * kTurn;
-    text(map_.page_of(glm::radians(phi_deg(at)), at), "θ = φ", Role::frustum, {1.0, 1.0});
+    const bool light_at_left = map_.page_of(analysis_).x < map_.middle.x;
+    const double at = (light_at_left ? 0.14 : 0.36) * kTurn;
+    text(map_.page_of(glm::radians(phi_deg(at)), at), "θ = φ", Role::frustum, {light_at_left ? 0.0 : 1.0, 1.0});
     const auto warp = setting_.current;
     if (setting_.from_papers || !warp || *warp == Warp::uniform) return;
     std::vector<double> angles;  // of the four symmetric quarters, the first
@@ -171,8 +177,8 @@ class ExplorerView {
     const Pen pen{Role::vanishing_plane, 2.0};
     closed_curve(theta, pen);
     closed_curve([&](double roll) { return kTurn / 2 - theta(roll); }, pen);
-    text(map_.page_of(theta(kTurn / 4), kTurn / 4) - dvec2(0.0, 8.0), std::string(display_name(*warp)) + " worse than uniform",
-         Role::vanishing_plane, {0.5, 0.5});
+    text(map_.page_of(theta(kTurn / 4), kTurn / 4) - dvec2(0.0, 8.0),
+         std::string(display_name(*warp)) + (is_small() ? " worse" : " worse than uniform"), Role::vanishing_plane, {0.5, 0.5});
   }
 
   void positions() {
@@ -184,22 +190,34 @@ class ExplorerView {
     frustum();
     line({map_.middle.x, map_.min.y}, {map_.middle.x, map_.max.y}, {Role::infinity, 3.0});
     list_.points.push_back({on_page(map_.middle), Role::frustum, 5.0});
-    text(map_.middle + dvec2(8.0, 4.0), "eye", Role::frustum, {0.0, 0.0});
+    label(map_.middle, "eye", Role::frustum, 1);
     name_sides();
   }
 
-  void name_sides() {
-    const dvec2 low(0.5 * (map_.min.x + map_.middle.x), map_.max.y - 4.0),
-        high(0.5 * (map_.max.x + map_.middle.x), map_.max.y - 4.0);
-    if (map_.middle.x - map_.min.x > 90.0) {
-      text(low - dvec2(0.0, kLine), "inverted point,", Role::light_inverted, {0.5, 1.0});
-      text(low, "order reversed", Role::light_inverted, {0.5, 1.0});
+  /// The first of these wordings whose lines fit between `left` and `right`, from `y` downwards or, at the map's lower end, up.
+  /// `pivot`: 0 stands at the left, 0.5 in the middle.
+  void text_between(double left, double right, double y, double pivot, Role role,
+                    const std::vector<std::vector<std::string>>& wordings) {
+    constexpr double gap = 6.0;
+    for (const auto& lines : wordings) {
+      const bool fits = std::all_of(lines.begin(), lines.end(),
+                                    [&](const std::string& line) { return chart_text_width(line) <= right - left - 2.0 * gap; });
+      if (!fits) continue;
+      const double top = y < map_.max.y - 4.0 ? y : y - kLine * double(lines.size());
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        text({glm::mix(left + gap, right - gap, pivot), top + kLine * double(i)}, lines[i], role, {pivot, 0.0});
+      return;
     }
-    text(high, "point light, order kept", Role::light_point, {0.5, 1.0});
-    const dvec2 beside(map_.middle.x + 6.0, map_.min.y + 2.0);
-    const bool wide = map_.max.x - beside.x > 250.0;  // room for one line; beyond the map stand the light's numbers
-    text(beside, wide ? "camera plane, w = 0: directional" : "camera plane,", Role::infinity, {0.0, 0.0});
-    if (!wide) text(beside + dvec2(0.0, kLine), "w = 0: directional", Role::infinity, {0.0, 0.0});
+  }
+
+  void name_sides() {
+    const double plane = std::clamp(map_.middle.x, map_.min.x, map_.max.x), bottom = map_.max.y - 4.0;
+    text_between(map_.min.x, plane, bottom, 0.5, Role::light_inverted,
+                 {{"inverted point, order reversed"}, {"inverted point,", "order reversed"}, {"inverted,", "order", "reversed"}});
+    text_between(plane, map_.max.x, bottom, 0.5, Role::light_point,
+                 {{"point light, order kept"}, {"point light,", "order kept"}, {"point,", "order kept"}});
+    text_between(plane, map_.max.x, map_.min.y + 2.0, 0.0, Role::infinity,
+                 {{"camera plane, w = 0: directional"}, {"camera plane,", "w = 0: directional"}, {"w = 0"}});
   }
 
   void section(const ConvexBody& body, Role role, double alpha, LineStyle style) {
@@ -214,7 +232,8 @@ class ExplorerView {
     });
     if (alpha > 0.0) polygon(corners, role, alpha);
     for (std::size_t i = 0; i < corners.size(); ++i) clipped(corners[i], corners[(i + 1) % corners.size()], {role, 1.5, style});
-    if (alpha > 0.0) text(middle, "R: a light here needs six maps", role, {0.5, 0.5});
+    const std::string name = "R: a light here needs six maps";
+    if (alpha > 0.0) label(middle, 2.0 * chart_text_width(name) < map_.max.x - map_.min.x ? name : "R: six maps", role, 2);
   }
 
   void clipped(const dvec2& a, const dvec2& b, const Pen& pen) {
@@ -233,7 +252,7 @@ class ExplorerView {
     for (const double side : {-1.0, 1.0}) clipped(at(e.camera.near, side), at(far, side), pen);
     for (const double z : {e.camera.near, e.camera.far})
       if (std::isfinite(z)) clipped(at(z, -1.0), at(z, 1.0), pen);
-    text(at(0.6 * std::min(far, reach), -0.8), "V", Role::frustum, {0.5, 0.5});
+    label(at(0.6 * std::min(far, reach), -0.8), "V", Role::frustum, 0);
   }
 
   /// The handle.
@@ -248,7 +267,7 @@ class ExplorerView {
 
   void words() {
     const PageRect room = beside_explorer_map(page_);
-    if (room.max.x - room.min.x < 200.0) return;
+    if (room.max.x < room.min.x) return;
     const LightCase& c = analysis_.light_case;
     double y = room.min.y;
     const auto say = [&](const std::string& words, Role role) {

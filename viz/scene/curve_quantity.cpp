@@ -123,11 +123,12 @@ std::optional<double> worse_than_uniform_below(CurveKind kind, const CurveRange&
 
 std::vector<CriticalAngle> critical_angles(CurveKind kind, const CurveSetting& setting) {
   const CurveRange& range = setting.range;
-  std::vector<CriticalAngle> angles{{range.phi_deg, "θ = φ = " + angle_text(range.phi_deg)}};
+  std::vector<CriticalAngle> angles{{range.phi_deg, "θ = φ = " + angle_text(range.phi_deg), "θ = φ"}};
   if (is_over_z(kind)) return angles;
   if (!is_error(kind)) {
     const auto gone = [&](double theta) { return !warp_strength(Warp::gmnpr_eq4, curve_model(range, theta)).exists; };
-    if (const auto theta = bisected(range.phi_deg, gone)) angles.push_back({*theta, "λ of Eq. 4 = 0: " + angle_text(*theta)});
+    if (const auto theta = bisected(range.phi_deg, gone))
+      angles.push_back({*theta, "λ of Eq. 4 = 0: " + angle_text(*theta), "Eq. 4 ends: " + angle_text(*theta)});
     return angles;
   }
   std::vector<Warp> compared{Warp::gmnpr, Warp::lispsm};
@@ -136,7 +137,8 @@ std::vector<CriticalAngle> critical_angles(CurveKind kind, const CurveSetting& s
   if (new_one) compared.push_back(*setting.current);
   for (const Warp warp : compared)
     if (const auto theta = worse_than_uniform_below(kind, range, warp))
-      angles.push_back({*theta, std::string(display_name(warp)) + " worse than uniform: " + angle_text(*theta)});
+      angles.push_back({*theta, std::string(display_name(warp)) + " worse than uniform: " + angle_text(*theta),
+                        std::string(display_name(warp)) + " worse: " + angle_text(*theta)});
   return angles;
 }
 

@@ -39,7 +39,7 @@ std::optional<double> worse_than_uniform_below(CurveKind kind, const CurveRange&
 
 struct CriticalAngle {
   double theta_deg;
-  std::string text;
+  std::string text, short_text;
 };
 /// theta = phi, which is all over depth; for lambda and rho the angle below which GMNPR's Eq. 4 gives no positive lambda; for
 /// errors the angles below which GMNPR, LiSPSM and the current technique are worse than the uniform map. What does not happen is
