@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/pixels.h"
+#include "draw/legend_layout.h"
 #include "ui/comparison.h"
 
 namespace psm {
@@ -23,6 +24,20 @@ int line_column(const SheetPanel& panel) {
 glm::vec3 ink(Theme theme) { return glm::vec3(theme == Theme::dark ? 0.92f : 0.08f); }
 glm::vec3 paper(Theme theme) { return glm::vec3(theme == Theme::dark ? 0.12f : 0.98f); }
 
+/// A plate's text in lines that stay within what it may take.
+struct Lines {
+  std::vector<std::string> texts;
+  glm::dvec2 size{0.0};
+
+  Lines(const SidePlate& plate, double pad, const TextSize& text_size)
+      : texts(broken_lines(plate.text, plate.size.x - 2.0 * pad, text_size)) {
+    for (const std::string& line : texts) {
+      const glm::dvec2 extent = text_size(line);
+      size = {std::max(size.x, extent.x), size.y + extent.y};
+    }
+  }
+};
+
 }  // namespace
 
 bool is_split(const SheetPanel& panel) { return panel.side && is_split(panel.view, panel.loaded->experiment.view); }
@@ -37,7 +52,9 @@ std::vector<SidePlate> side_plates(const SheetPanel& panel, const Analysis& anal
   if (!panel.side) return {};
   const glm::ivec2 columns = shown_columns(panel);
   const glm::ivec2 name = panel.top_left + glm::ivec2(columns.x + px(kInset, scale), px(kBelowTitle, scale));
-  std::vector<SidePlate> plates{{name, {0, px(kText + 2.0 * kPadding, scale)}, comparison_name(panel.side, analysis)}};
+  const glm::ivec2 room = panel.top_left + glm::ivec2(columns.y - px(kInset, scale), panel.size.y) - name;
+  std::vector<SidePlate> plates;
+  if (room.x > px(kText, scale)) plates.push_back({name, room, comparison_name(panel.side, analysis)});
   if (!is_split(panel) || panel.side != 'A') return plates;
   const int width = px(kLine, scale), x = std::clamp(columns.y - width / 2, 0, std::max(0, panel.size.x - width));
   plates.push_back({panel.top_left + glm::ivec2(x, 0), {width, panel.size.y}, ""});
@@ -45,11 +62,13 @@ std::vector<SidePlate> side_plates(const SheetPanel& panel, const Analysis& anal
 }
 
 void draw_plate(const SidePlate& plate, const Caption& caption, const Sheet& sheet, Image& whole) {
-  const int pad = px(kPadding, sheet.scale);
+  const int pad = px(kPadding, sheet.scale), line_height = px(kText, sheet.scale);
   if (plate.text.empty()) return fill(whole, plate.top_left, plate.top_left + plate.size, ink(sheet.theme));
-  const int width = int(std::ceil(caption.width(plate.text))) + 2 * pad;
-  fill(whole, plate.top_left, plate.top_left + glm::ivec2(width, plate.size.y), paper(sheet.theme));
-  caption.draw(whole, plate.top_left.x + pad, plate.top_left.y + pad, plate.text, ink(sheet.theme));
+  const auto text_size = [&](const std::string& text) { return glm::dvec2(caption.width(text), line_height); };
+  const Lines lines(plate, pad, text_size);
+  fill(whole, plate.top_left, plate.top_left + glm::ivec2(glm::ceil(lines.size)) + 2 * pad, paper(sheet.theme));
+  glm::ivec2 at = plate.top_left + pad;
+  for (const std::string& line : lines.texts) caption.draw(whole, at.x, at.y, line, ink(sheet.theme)), at.y += line_height;
 }
 
 PagePanel plate_panel(const SidePlate& plate, const FontFace& font, const Sheet& sheet) {
@@ -59,8 +78,17 @@ PagePanel plate_panel(const SidePlate& plate, const FontFace& font, const Sheet&
     return PageBox{at, size, 0.0, glm::vec4(color, 1.0f), glm::vec4(0.0f), 0.0};
   };
   if (plate.text.empty()) return {at, plate.size, {box(plate.size, ink(sheet.theme))}};
-  const glm::dvec2 text = font.text_size(plate.text, kText * sheet.scale), size(text.x + 2.0 * pad, plate.size.y);
-  return {at, size, {box(size, paper(sheet.theme)), PageText{at + pad, text, plate.text, ink(sheet.theme)}}};
+  const auto text_size = [&](const std::string& text) { return font.text_size(text, kText * sheet.scale); };
+  const Lines lines(plate, pad, text_size);
+  const glm::dvec2 size = lines.size + 2.0 * pad;
+  PagePanel panel{at, size, {box(size, paper(sheet.theme))}};
+  glm::dvec2 pen = at + pad;
+  for (const std::string& line : lines.texts) {
+    const glm::dvec2 extent = text_size(line);
+    panel.items.push_back(PageText{pen, extent, line, ink(sheet.theme)});
+    pen.y += extent.y;
+  }
+  return panel;
 }
 
 void add_compared_panels(Sheet& sheet, const std::shared_ptr<const LoadedExperiment>& loaded, const std::vector<ViewId>& views,

@@ -12,9 +12,9 @@
 
 namespace psm {
 
-/// A plate over a panel, with a line of text; without a text, the line that divides the panel.
+/// A plate over a panel, with a text; without one, the line that divides the panel.
 struct SidePlate {
-  glm::ivec2 top_left{0}, size{0};  // the width of one with a text is the text's
+  glm::ivec2 top_left{0}, size{0};  // of one with a text: what it may take; it takes as much as its lines need
   std::string text;
 };
 

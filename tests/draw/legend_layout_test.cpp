@@ -39,6 +39,26 @@ TEST(LegendLayout, BlanksInARowBreakNoLine) {
   EXPECT_EQ(broken_lines("ab cd", 100.0, text_size), std::vector<std::string>{"ab cd"});
 }
 
+TEST(LegendLayout, ATextIsBrokenFirstWhereBlanksStandTogether) {
+  EXPECT_EQ(broken_lines("ab cd    ef gh", 80.0, text_size), (std::vector<std::string>{"ab cd", "ef gh"}));
+  EXPECT_EQ(broken_lines("ab  cd  ef", 60.0, text_size), (std::vector<std::string>{"ab  cd", "ef"}));
+  EXPECT_EQ(broken_lines("ab cd  ef", 20.0, text_size), (std::vector<std::string>{"ab", "cd", "ef"}));
+}
+
+TEST(LegendLayout, AHeadingTakesNoLineOfALowViewThatHasRoomBesideItsTitle) {
+  const auto texts_at = [](glm::dvec2 size) {
+    ViewPicture picture;
+    picture.title = "Eye";
+    picture.legend = heat_map();
+    std::vector<std::string> texts;
+    for (const TextBox& box : annotate(picture, {size, 1.0, Theme::light}, text_size).texts) texts.push_back(box.text);
+    return texts;
+  };
+  EXPECT_EQ(texts_at({900, 400}).front(), "Eye: " + heat_map().title);
+  EXPECT_EQ(texts_at({900, 600}).front(), "Eye") << "not low";
+  EXPECT_EQ(texts_at({500, 400}).front(), "Eye") << "no room";
+}
+
 TEST(LegendLayout, ALowViewHasNumbersBesideEachOther) {
   const auto plate_of = [&](double height) {
     std::vector<TextBox> texts;
@@ -49,6 +69,20 @@ TEST(LegendLayout, ALowViewHasNumbersBesideEachOther) {
   };
   EXPECT_LT(plate_of(400).y, plate_of(800).y);
   EXPECT_LE(plate_of(400).x, 1000.0);
+}
+
+TEST(LegendLayout, NumbersLeaveTheGroundOfALowViewFree) {
+  for (const double height : {150.0, 220.0, 300.0, 400.0}) {
+    std::vector<TextBox> texts;
+    std::vector<Plate> plates;
+    std::vector<Mark> marks;
+    Legend legend = heat_map();
+    legend.title.clear();
+    const Occupied taken = lay_out_legend(legend, {{900, height}, 1.0, Theme::light}, text_size, texts, plates, marks);
+    const bool numbers = texts.size() > legend.entries.size();
+    EXPECT_TRUE(!numbers || taken.size.y <= 0.2 * height) << height;
+    EXPECT_EQ(numbers, height >= 300.0) << height;
+  }
 }
 
 TEST(LegendLayout, NumbersGoFirstThenTheHeadingAndColorsLast) {

@@ -8,7 +8,7 @@
 namespace psm {
 namespace {
 
-constexpr double kTitleInset = 10.0, kPlateRadius = 4.0, kLeaderWidth = 1.0;  // pixels at scale 1
+constexpr double kPlateRadius = 4.0, kLeaderWidth = 1.0;  // pixels at scale 1
 constexpr float kPlateOpacity = 0.85f, kRimOpacity = 0.16f, kLeaderOpacity = 0.75f;
 
 Plate plate_around(glm::dvec2 top_left, glm::dvec2 size, const glm::vec3& text_color, const PictureFrame& frame) {
@@ -41,12 +41,19 @@ void add_fixed_texts(const ViewPicture& picture, const PictureFrame& frame, cons
   }
 }
 
-/// In as many lines as a narrow view needs; returns its plate.
-Plate add_title(const std::string& title, const PictureFrame& frame, const TextSize& text_size, Annotations& out) {
+/// A legend's heading takes no line of a low view where it fits behind the view's title; a tile's controls stand at its right.
+bool heading_moves_up(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size) {
+  constexpr double kControls = 280.0;  // pixels at scale 1
+  return !picture.title.empty() && !picture.legend.title.empty() && is_low(frame) &&
+         text_size(picture.title + ": " + picture.legend.title).x <= frame.size.x - kControls * frame.scale;
+}
+
+/// Returns its plate.
+Plate add_title(const std::vector<std::string>& lines, const PictureFrame& frame, const TextSize& text_size, Annotations& out) {
   const glm::vec3 color = picture_label_color(Role::neutral, frame.theme);
   const glm::dvec2 corner(kTitleInset * frame.scale);
   glm::dvec2 extent(0.0);
-  for (const std::string& line : broken_lines(title, frame.size.x - 2.0 * corner.x, text_size)) {
+  for (const std::string& line : lines) {
     const glm::dvec2 size = text_size(line);
     out.texts.push_back({corner + glm::dvec2(0.0, extent.y), size, line, color});
     extent = {std::max(extent.x, size.x), extent.y + size.y};
@@ -56,15 +63,23 @@ Plate add_title(const std::string& title, const PictureFrame& frame, const TextS
 
 }  // namespace
 
+std::vector<std::string> title_lines(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size) {
+  if (picture.title.empty()) return {};
+  if (heading_moves_up(picture, frame, text_size)) return {picture.title + ": " + picture.legend.title};
+  return broken_lines(picture.title, frame.size.x - 2.0 * kTitleInset * frame.scale, text_size);
+}
+
 Annotations annotate(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size) {
   Annotations out;
   std::vector<Occupied> occupied;
   std::vector<Plate> title, legend;
-  if (!picture.title.empty()) {
-    title.push_back(add_title(picture.title, frame, text_size, out));
+  if (const auto lines = title_lines(picture, frame, text_size); !lines.empty()) {
+    title.push_back(add_title(lines, frame, text_size, out));
     occupied.push_back({title.back().top_left, title.back().size});
   }
-  if (!picture.legend.empty()) occupied.push_back(lay_out_legend(picture.legend, frame, text_size, out.texts, legend, out.marks));
+  Legend explained = picture.legend;
+  if (heading_moves_up(picture, frame, text_size)) explained.title.clear();
+  if (!explained.empty()) occupied.push_back(lay_out_legend(explained, frame, text_size, out.texts, legend, out.marks));
   add_fixed_texts(picture, frame, text_size, out, occupied);
   TextSize measured = text_size;
   for (const PlacedLabel& label :

@@ -39,10 +39,14 @@ struct Annotations {
   std::vector<TextBox> texts;
 };
 
-/// Height of a line of text, ascent plus descent, pixels at scale 1.
-constexpr double kTextHeight = 16.0;
+/// Height of a line of text, ascent plus descent, and where a view's title begins; pixels at scale 1.
+constexpr double kTextHeight = 16.0, kTitleInset = 10.0;
 
 using TextSize = std::function<glm::dvec2(const std::string&)>;
+
+/// The view's title as it stands in its upper left corner: with the legend's heading behind it in a low view that has room for
+/// it, in as many lines as a narrow one needs.
+std::vector<std::string> title_lines(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size);
 
 /// `text_size` measures in pixels.
 Annotations annotate(const ViewPicture& picture, const PictureFrame& frame, const TextSize& text_size);

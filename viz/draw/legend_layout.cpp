@@ -19,16 +19,15 @@ struct Item {
   const std::string* text = nullptr;
 };
 
-/// Items in reading order: heading, colours one after the other, numbers, each on a line of its own unless `low`; returns the
-/// extent.
+/// Items in reading order: heading, colours one after the other, numbers, each on a line of its own; in a `low` view numbers go
+/// on behind what stands there. Returns the extent.
 glm::dvec2 flow(std::vector<Item>& items, double scale, double width, bool low) {
   glm::dvec2 pen(0.0), extent(0.0);
   double row = 0.0;
   const Item* before = nullptr;
   for (Item& item : items) {
-    const bool alike = before && !before->entry == !item.entry && (item.entry || low);
-    if (alike && !item.entry) pen.x += kEntryGap * scale;
-    const bool goes_on = alike && pen.x + item.size.x <= width;
+    if (before && low && !item.entry) pen.x += kEntryGap * scale;
+    const bool goes_on = before && (item.entry ? bool(before->entry) : low) && pen.x + item.size.x <= width;
     if (before && !goes_on) pen = {0.0, pen.y + row + kLineGap * scale}, row = 0.0;
     item.at = pen;
     pen.x += item.size.x + kEntryGap * scale;
@@ -72,26 +71,48 @@ Flowed flowed(const Legend& legend, const PictureFrame& frame, const TextSize& t
     out.items.push_back({{}, {swatch + gap + size.x, size.y}, size, &entry, &entry.text});
   }
   for (const std::string& line : out.tail) add_text(line);
-  out.plate = flow(out.items, s, width, frame.size.y < kLowView * s) + 2.0 * kPadding * s;
+  out.plate = flow(out.items, s, width, is_low(frame)) + 2.0 * kPadding * s;
   return out;
 }
 
 /// What of the legend fits a quarter of the view: all, or fewer numbers, the last line first, or the colours alone, which may
-/// take half of it.
+/// take half of it. Numbers beside colours may not take more than a fifth of a low view's height: the colours of the ground lie
+/// there.
 Legend fitting(Legend legend, const PictureFrame& frame, const TextSize& text_size) {
   const auto too_large = [&](double part) {
     const glm::dvec2 plate = flowed(legend, frame, text_size).plate;
     return plate.x * plate.y > part * frame.size.x * frame.size.y;
   };
-  while (!legend.lines.empty() && too_large(0.25)) legend.lines.pop_back();
+  const auto hides_colors = [&] {
+    return is_low(frame) && !legend.entries.empty() && flowed(legend, frame, text_size).plate.y > 0.2 * frame.size.y;
+  };
+  while (!legend.lines.empty() && (hides_colors() || too_large(0.25))) legend.lines.pop_back();
   if (too_large(0.25)) legend.title.clear();
   if (too_large(0.5)) legend.entries.clear();
   return legend;
 }
 
+/// Of the places where several blanks stand together the last one with all before it on one line; failing that, the first one.
+std::size_t phrase_end(const std::string& text, double width, const TextSize& text_size) {
+  std::size_t end = text.find("  ");
+  for (std::size_t at = end; at != std::string::npos; at = text.find("  ", text.find_first_not_of(' ', at)))
+    if (text_size(text.substr(0, at)).x <= width) end = at;
+  return end;
+}
+
 }  // namespace
 
+bool is_low(const PictureFrame& frame) { return frame.size.y < kLowView * frame.scale; }
+
 std::vector<std::string> broken_lines(const std::string& text, double width, const TextSize& text_size) {
+  if (text_size(text).x <= width) return {text};
+  const std::size_t phrase = phrase_end(text, width, text_size);
+  const std::size_t next = phrase == std::string::npos ? phrase : text.find_first_not_of(' ', phrase);
+  if (phrase > 0 && next != std::string::npos) {
+    std::vector<std::string> lines = broken_lines(text.substr(0, phrase), width, text_size);
+    for (std::string& line : broken_lines(text.substr(next), width, text_size)) lines.push_back(std::move(line));
+    return lines;
+  }
   std::vector<std::string> lines{""};
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at + 1), text.size());

@@ -9,7 +9,10 @@
 
 namespace psm {
 
-/// A text that is wider than this, in lines that are not, as far as its blanks allow.
+/// Whether height is what this view lacks.
+bool is_low(const PictureFrame& frame);
+
+/// A text that is wider than this, in lines that are not, as far as its blanks allow: first where several stand together.
 std::vector<std::string> broken_lines(const std::string& text, double width, const TextSize& text_size);
 
 /// Appends texts, plates (the ground first, then the swatches) and the lines that hatch swatches; returns the part of the view

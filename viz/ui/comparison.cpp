@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/annotation.h"
 #include "ui/control_pane.h"
 #include "ui/theme.h"
+#include "ui/tile_menu.h"
 
 namespace psm {
 namespace {
@@ -81,10 +83,10 @@ Rect first_part(ViewId id, const Rect& picture, const ViewSettings& view) {
 
 std::string comparison_name(char letter, const Analysis& analysis) {
   const Technique asked = analysis.experiment.shadow.technique, used = analysis.technique_used;
-  std::string name = std::string(1, letter) + "  " + display_name(asked);
+  std::string name = std::string(1, letter) + "\u00a0\u00a0" + display_name(asked);
   if (used != asked) name += std::string(", fell back to ") + display_name(used);
   const bool sizes = analysis.experiment.view.eye_overlay == EyeOverlay::texel_size;
-  return sizes && analysis.texels ? name + "  p95 " + shown_number(analysis.texels->m_p95, 3) : name;
+  return sizes && analysis.texels ? name + "  p95\u00a0" + shown_number(analysis.texels->m_p95, 3) : name;
 }
 
 namespace {
@@ -99,10 +101,14 @@ float widest_word(const std::string& text, float px) {
   return widest;
 }
 
+float name_px(const UiContext& ui) { return std::min(ImGui::GetFontSize(), float(std::round(kNameHeight * ui.scale))); }
+
+float name_pad(const UiContext& ui) { return std::floor(0.3f * name_px(ui)); }
+
 /// Its top left is `at`, or its top right. Stays on its side of the line: in more lines, or smaller, or, where hardly anything is
 /// left of the side, not at all.
 void name_plate(UiContext& ui, const std::string& text, ImVec2 at, bool right_aligned, const Rect& within) {
-  const float full = std::min(ImGui::GetFontSize(), float(std::round(kNameHeight * ui.scale))), pad = std::floor(0.3f * full);
+  const float full = name_px(ui), pad = name_pad(ui);
   const float wrap = (right_aligned ? at.x - float(within.min.x) : float(within.max.x) - at.x) - 3.0f * pad;
   const float px = full * std::min(1.0f, 0.98f * wrap / widest_word(text, full));
   if (px < kLeastName * full) return;
@@ -149,6 +155,25 @@ void drag_split(UiContext& ui, ViewId id, const Rect& picture, ViewSettings& vie
   }
 }
 
+/// Whether the name has room at the right of the title, where a tile may have controls.
+bool fits_beside_title(const UiContext& ui, const std::string& name, const glm::dvec2& title, const Rect& tile,
+                       bool has_controls) {
+  const double gap = std::round(8.0 * ui.scale), menu = kTextHeight * ui.scale;
+  const ImVec2 size = ImGui::GetFont()->CalcTextSizeA(name_px(ui), 1e9f, 0.0f, name.c_str());
+  return !has_controls && title.x + menu + size.x + 2.0f * name_pad(ui) + 2.0 * gap <= tile.size().x;
+}
+
+/// In a tile of its own: in the title's row, or below it.
+void name_tile(UiContext& ui, const std::string& name, const ViewPicture& picture, const Rect& tile, bool at_right,
+               bool has_controls) {
+  const float gap = float(std::round(8.0 * ui.scale));
+  const glm::dvec2 title = shown_title(picture, tile.size(), ui.scale).end;
+  const bool beside = fits_beside_title(ui, name, title, tile, has_controls), right = at_right || beside;
+  const float below = std::max(2.6f * ImGui::GetFontSize(), float(title.y) + gap);
+  name_plate(ui, name, {right ? float(tile.max.x) - gap : float(tile.min.x) + gap, float(tile.min.y) + (beside ? gap : below)},
+             right, tile);
+}
+
 void draw_second(UiContext& ui, ViewId id, const Rect& first, const Rect& second, const ViewImages& first_images,
                  const ViewImages& images, const ViewDrag& drag) {
   const ViewSettings& view = ui.model.experiment().view;
@@ -158,10 +183,17 @@ void draw_second(UiContext& ui, ViewId id, const Rect& first, const Rect& second
   draw_tile(ui, id, second, images, drag);
   ImGui::PopClipRect();
   if (split) draw_line(ui, first, x);
-  // Below the title and the view's own controls.
-  const float gap = float(std::round(8.0 * ui.scale)), y = float(first.min.y) + 2.6f * ImGui::GetFontSize();
-  name_plate(ui, comparison_name('A', first_images.analysis()), {float(x) - gap, y}, true, first);
-  name_plate(ui, comparison_name('B', images.analysis()), {float(split ? x : second.min.x) + gap, y}, false, second);
+  const std::string name_a = comparison_name('A', first_images.analysis()), name_b = comparison_name('B', images.analysis());
+  if (split) {
+    // Below the title and the view's own controls.
+    const float gap = float(std::round(8.0 * ui.scale)), y = float(first.min.y) + 2.6f * ImGui::GetFontSize();
+    name_plate(ui, name_a, {float(x) - gap, y}, true, first);
+    name_plate(ui, name_b, {float(x) + gap, y}, false, second);
+    return;
+  }
+  const bool has_controls = id == ViewId::eye && ui.places.contains("tile.eye_overlay");
+  name_tile(ui, name_a, first_images.picture(id), first, true, has_controls);
+  name_tile(ui, name_b, images.picture(id), second, false, false);
 }
 
 }  // namespace

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/draw_list.h"
+#include "draw/annotation.h"
 #include "ui/theme.h"
 
 namespace psm {
 namespace {
 
-// As the titles of the pictures are drawn, pixels at scale 1.
-constexpr double kTitleInset = 10.0, kTitleHeight = 16.0;
+/// As the titles of the pictures are drawn.
+double title_px(double scale) { return std::round(kTextHeight * scale); }
 
 bool is_alone(const ViewSettings& view) { return view.maximised.has_value(); }
 
@@ -78,12 +78,28 @@ void put_in_tile(std::vector<ViewId>& tiles, std::size_t place, std::optional<Vi
   tiles[place] = *view;
 }
 
-void tile_menu(UiContext& ui, ViewId id, const Rect& picture, const std::string& title, ViewSettings& view) {
-  const double s = ui.scale, margin = label_margin * s, inset = kTitleInset * s, px = std::round(kTitleHeight * s);
-  const ImVec2 text = ImGui::GetFont()->CalcTextSizeA(float(px), 1e9f, 0.0f, title.c_str());
-  const glm::dvec2 size(text.x + 2.0 * margin + px, text.y + 2.0 * margin);
-  if (title.empty() || picture.size().x < inset + size.x || picture.size().y < 3.0 * size.y) return;
-  const glm::dvec2 corner = glm::dvec2(picture.min) + inset - margin;
+ShownTitle shown_title(const ViewPicture& picture, glm::ivec2 tile, double scale) {
+  const auto text_size = [&](const std::string& text) {
+    const ImVec2 size = ImGui::GetFont()->CalcTextSizeA(float(title_px(scale)), 1e9f, 0.0f, text.c_str());
+    return glm::dvec2(size.x, size.y);
+  };
+  ShownTitle title{title_lines(picture, {glm::dvec2(tile), scale, Theme::light}, text_size)};
+  glm::dvec2 extent(0.0);
+  for (const std::string& line : title.lines) {
+    title.last = text_size(line).x;
+    extent = {std::max(extent.x, title.last), extent.y + text_size(line).y};
+  }
+  if (!title.lines.empty()) title.end = extent + (kTitleInset + label_margin) * scale;
+  return title;
+}
+
+void tile_menu(UiContext& ui, ViewId id, const Rect& tile, const ViewPicture& picture, ViewSettings& view) {
+  const double s = ui.scale, margin = label_margin * s, inset = kTitleInset * s, px = title_px(s);
+  const ShownTitle title = shown_title(picture, tile.size(), s);
+  // The mark stands behind the last line.
+  const glm::dvec2 end(std::max(title.end.x, inset + title.last + margin + px), title.end.y);
+  if (title.lines.empty() || tile.size().x < end.x + margin || tile.size().y < 2.0 * end.y) return;
+  const glm::dvec2 corner = glm::dvec2(tile.min) + inset - margin, size = end - inset + margin;
   const std::string name = std::string("tile.") + name_of(id);
   ImGui::SetCursorScreenPos({float(corner.x), float(corner.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
@@ -97,8 +113,9 @@ void tile_menu(UiContext& ui, ViewId id, const Rect& picture, const std::string&
   note_place(ui, name);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-  const glm::dvec2 arrow(max.x - 0.5 * px - 0.5 * margin, 0.5 * (min.y + max.y));
-  list->AddRectFilled({float(arrow.x - 0.5 * px), min.y}, max, color(ground_color(ui.theme), 0.85), float(margin));
+  const glm::dvec2 arrow(min.x + title.last + 1.5 * margin + 0.5 * px, max.y - margin - 0.5 * px);
+  list->AddRectFilled({float(arrow.x - 0.5 * px), float(arrow.y - 0.5 * px)}, {float(arrow.x + 0.5 * (px + margin)), max.y},
+                      color(ground_color(ui.theme), 0.85), float(margin));
   draw_arrow(arrow, 0.7 * px);
   if (ImGui::IsItemHovered() || ImGui::IsPopupOpen("views"))
     list->AddRect(min, max, color(accent_color(ui.theme)), float(margin), 0, float(1.5 * s));

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "draw/view.h"
 #include "ui/ui_context.h"
 
 namespace psm {
@@ -16,8 +18,16 @@ const char* display_name(ViewId view);
 /// the last opens a tile; no view closes this one, unless it is the only one.
 void put_in_tile(std::vector<ViewId>& tiles, std::size_t place, std::optional<ViewId> view);
 
-/// The menu behind a view's title, at the upper left of its picture.
-void tile_menu(UiContext& ui, ViewId id, const Rect& picture, const std::string& title, ViewSettings& view);
+/// A view's title on the screen, from the upper left corner of its tile: its lines, and the room that they take with their plate.
+struct ShownTitle {
+  std::vector<std::string> lines;
+  double last = 0.0;  // the last line's width
+  glm::dvec2 end{0.0};
+};
+ShownTitle shown_title(const ViewPicture& picture, glm::ivec2 tile, double scale);
+
+/// The menu behind a view's title, at the upper left of its tile.
+void tile_menu(UiContext& ui, ViewId id, const Rect& tile, const ViewPicture& picture, ViewSettings& view);
 
 /// A menu of views for one place of the list, of the given width; its widgets are "NAME" and "NAME=VIEW".
 void tile_field(UiContext& ui, const std::string& name, float width, std::size_t place, std::vector<ViewId>& tiles);

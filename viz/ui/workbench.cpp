@@ -170,7 +170,7 @@ void Workbench::tiles(Frame& f) {
 
 void Workbench::tile_controls(Frame& f) {
   const auto place = [&](ViewId id) { return is_covered(id) ? Rect{} : f.layout.view(id); };
-  for (ViewId id : kAllViews) tile_menu(f.ui, id, place(id), images_.picture(id).title, f.edited.view);
+  for (ViewId id : kAllViews) tile_menu(f.ui, id, place(id), images_.picture(id), f.edited.view);
   if (!place(ViewId::cube).empty()) cube_tools(f.ui, place(ViewId::cube), f.edited);
   if (!place(ViewId::eye).empty()) eye_tools(f.ui, place(ViewId::eye), f.edited);
   if (!place(ViewId::curves).empty() && curve_tools(f.ui, place(ViewId::curves), f.edited)) act(Action::copy_curves);
