@@ -125,7 +125,7 @@ WorkbenchOptions App::options(const WindowStart& start) {
   options.write_picture = [](const std::filesystem::path& file, const Image& image) {
     return write_png(file, image.width, image.height, image.rgba);
   };
-  options.write_views = write_shown_views;
+  options.write_views = shown_views_writer;
   return options;
 }
 

@@ -3,14 +3,14 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 
 #include "scene/result.h"
 #include "ui/shown_views.h"
 
 namespace psm {
 
-/// .png, .svg or .pdf: the views; .mp4 or .gif: the animation of the lesson's step. Needs a current OpenGL context.
-std::optional<InputError> write_shown_views(const std::filesystem::path& file, const ShownViews& shown);
+/// .png, .svg or .pdf: the views; .mp4 or .gif: the animation of the lesson's step.
+Result<std::unique_ptr<ViewsWriter>> shown_views_writer(const std::filesystem::path& file, const ShownViews& shown);
 
 }  // namespace psm

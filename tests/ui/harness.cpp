@@ -41,7 +41,7 @@ Bench::Bench(const std::string& source, const std::vector<std::string>& override
   options.write_picture = [](const std::filesystem::path& file, const Image& image) {
     return write_png(file, image.width, image.height, image.rgba);
   };
-  options.write_views = write_shown_views;
+  options.write_views = shown_views_writer;
   workbench_ = std::make_unique<Workbench>(*loaded, options);
   settle();
 }

@@ -2,6 +2,7 @@
 // A lesson in the window: opened, stepped through, answered, solved, left, and read again when its files change.
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <fstream>
 
 #include "harness.h"
@@ -257,6 +258,38 @@ TEST_F(LessonPanelTest, IsReadAgainWhenItsFilesChange) {
   bench_->settle();
   EXPECT_EQ(bench_->work().lessons().error(), "");
   EXPECT_EQ(bench_->experiment().light.to_light, glm::dvec3(0, 1, -2)) << "nobody had changed the step's start";
+}
+
+/// What stands in a folder beside what the bench keeps there.
+std::vector<std::string> pictures_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename() != "config") names.push_back(entry.path().filename().string());
+  return names;
+}
+
+TEST_F(LessonPanelTest, AFilmIsWrittenBetweenFramesAndCanBeGivenUp) {
+  if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  open();
+  bench_->key(key::page_down);
+  const auto begin = [&] {
+    bench_->key('P');
+    bench_->type((bench_->folder() / "turn.gif").string());
+    bench_->input().key(key::enter, true);
+    bench_->input().key(key::enter, false);
+    for (int i = 0; i < 8; ++i) bench_->frame();
+    ASSERT_EQ(bench_->work().dialog(), Dialogs::Kind::progress);
+    ASSERT_EQ(pictures_in(bench_->folder()).size(), 1u) << "the frames so far";
+  };
+  begin();
+  bench_->key(key::escape);
+  EXPECT_EQ(bench_->work().dialog(), Dialogs::Kind::none);
+  EXPECT_THAT(pictures_in(bench_->folder()), ::testing::IsEmpty());
+  begin();
+  for (int i = 0; i < 5000 && bench_->work().dialog() == Dialogs::Kind::progress; ++i) bench_->frame();
+  bench_->settle();
+  EXPECT_EQ(bench_->work().last_picture(), bench_->folder() / "turn.gif");
+  EXPECT_THAT(pictures_in(bench_->folder()), ::testing::ElementsAre("turn.gif"));
 }
 
 }  // namespace

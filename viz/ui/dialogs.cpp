@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/keys.h"
+#include "ui/theme.h"
 
 namespace psm {
 namespace {
@@ -21,6 +22,8 @@ const char* title_of(Dialogs::Kind kind) {
       return "Save experiment";
     case Dialogs::Kind::picture:
       return "Save picture";
+    case Dialogs::Kind::progress:
+      return "Saving";
     case Dialogs::Kind::error:
       return "That did not work";
     case Dialogs::Kind::help:
@@ -81,6 +84,12 @@ void Dialogs::show_error(const std::string& error, Kind asked, const std::string
   back_path_ = path;
 }
 
+void Dialogs::show_progress(double part, const std::string& text) {
+  if (shown() != Kind::progress) show(Kind::progress);
+  part_ = part;
+  text_ = text;
+}
+
 Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
   Answer answer;
   if (shown_ == Kind::none) return answer;
@@ -100,6 +109,7 @@ Dialogs::Answer Dialogs::draw(UiContext& ui, Settings& settings) {
   if (shown_ == Kind::save) answer.save = path_dialog(ui, "Where to save the experiment:", "Save");
   if (shown_ == Kind::picture)
     answer.picture = path_dialog(ui, "The views as .png, .svg or .pdf; a lesson's animation as .mp4 or .gif:", "Save");
+  if (shown_ == Kind::progress) progress_dialog(ui);
   if (shown_ == Kind::error) error_dialog(ui);
   if (shown_ == Kind::unsaved) answer = unsaved_dialog(ui);
   if (shown_ == Kind::help) help_dialog(ui);
@@ -144,6 +154,18 @@ void Dialogs::list_files(UiContext& ui) {
 
 void Dialogs::close_button(UiContext& ui) {
   if (button(ui, "Close", "dialog.confirm")) close();
+}
+
+void Dialogs::progress_dialog(UiContext& ui) {
+  const float width = std::min(28.0f * em(), 0.8f * ImGui::GetMainViewport()->Size.x);
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, color(accent_color(ui.theme)));
+  ImGui::ProgressBar(float(part_), {width, 0.0f}, "");
+  ImGui::PopStyleColor();
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+  ImGui::TextUnformatted(text_.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  if (button(ui, "Cancel", "dialog.cancel")) close();
 }
 
 void Dialogs::error_dialog(UiContext& ui) {

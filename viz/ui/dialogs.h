@@ -14,11 +14,13 @@ namespace psm {
 
 class Dialogs {
  public:
-  enum class Kind { none, open, save, picture, error, help, settings, unsaved };
+  enum class Kind { none, open, save, picture, progress, error, help, settings, unsaved };
 
   void show(Kind kind, const std::string& text = "");  // text: the path to begin with, or what went wrong
   /// What went wrong with a path; afterwards the dialog that asked for it is there again, with the path.
   void show_error(const std::string& error, Kind asked, const std::string& path);
+  /// How far something has come that goes on until this is closed. `part`: of 1.
+  void show_progress(double part, const std::string& text);
   Kind shown() const { return closing_ ? Kind::none : shown_; }
   /// A new pop-up needs some frames until its first field takes keys; those typed meanwhile must wait.
   bool settling() const { return shown() != Kind::none && age_ < 3; }
@@ -37,6 +39,7 @@ class Dialogs {
   /// The path, once it is confirmed.
   std::optional<std::string> path_dialog(UiContext& ui, const char* explanation, const char* confirm);
   void list_files(UiContext& ui);
+  void progress_dialog(UiContext& ui);
   void error_dialog(UiContext& ui);
   Answer unsaved_dialog(UiContext& ui);
   void help_dialog(UiContext& ui);
@@ -51,6 +54,7 @@ class Dialogs {
   int age_ = 0;           // frames
   bool closing_ = false;  // at the end of this frame: ImGui must see a pop-up once more to let go of it
   std::string text_;
+  double part_ = 0.0;          // of the progress
   Kind back_to_ = Kind::none;  // after an error
   std::string back_path_;
   Settings pending_;                // while a slider of the settings is held

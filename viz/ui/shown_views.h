@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "draw/emphasis.h"
@@ -22,6 +23,23 @@ struct ShownViews {
   Theme theme = Theme::light;
   Emphasis emphasis;
   std::optional<Animation> animation;  // of the lesson's step
+};
+
+/// Views on their way into a file. A film is many pictures: the window goes on between two of them. Nothing is left of one that
+/// is dropped before its end.
+class ViewsWriter {
+ public:
+  virtual ~ViewsWriter() = default;
+
+  /// A moment's work; an error ends it. Needs a current OpenGL context, as its end does.
+  virtual std::optional<InputError> step() = 0;
+  virtual bool done() const = 0;
+
+  struct Progress {
+    double part = 0.0;  // of the pictures
+    std::string text;
+  };
+  virtual Progress progress() const = 0;
 };
 
 }  // namespace psm

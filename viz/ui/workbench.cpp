@@ -263,6 +263,7 @@ void Workbench::dialogs(Frame& f) {
     quits_after_save_ = true;
   }
   if (answer.save) save(*answer.save);
+  if (writer_) dialogs_.shown() == Dialogs::Kind::progress ? write_on() : give_up_writing();
   if (answer.picture) save_views(f, *answer.picture);
   if (dialogs_.shown() == Dialogs::Kind::none) quits_after_save_ = false;
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,8 +40,8 @@ struct WorkbenchOptions {
   bool start_card = false;               // the first run says where to begin: nothing was asked for
   std::string lesson;                    // to begin with: a name or a folder, "/3" behind it for its third step; empty: none
   std::function<std::optional<InputError>(const std::filesystem::path&, const Image&)> write_picture;
-  /// The ending says what is written. An OpenGL context is current.
-  std::function<std::optional<InputError>(const std::filesystem::path&, const ShownViews&)> write_views;
+  /// The ending says what is written.
+  std::function<Result<std::unique_ptr<ViewsWriter>>(const std::filesystem::path&, const ShownViews&)> write_views;
 };
 
 /// How much larger everything is in front of a class, in a window of this size: capitals of a 48th of its height, so that the
@@ -152,6 +153,8 @@ class Workbench {
   void ask_for_picture();
   ShownViews shown_views(const Frame& f);
   void save_views(const Frame& f, const std::string& file);
+  void write_on();
+  void give_up_writing();
   void save_screen();
   void write_screen(const Image& image);
   void picture_saved(const std::filesystem::path& file);
@@ -208,6 +211,8 @@ class Workbench {
   std::string typed_path_;  // in the Open dialog, until it has been opened
   std::filesystem::path last_picture_;
   std::string picture_ending_ = ".png";  // of the last name that was asked for
+  std::unique_ptr<ViewsWriter> writer_;  // at work, into this file
+  std::string written_file_;
   int frames_left_ = 3;
   double next_wake_ = std::numeric_limits<double>::infinity();
   double views_ms_ = 0.0;

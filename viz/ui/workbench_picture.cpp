@@ -53,9 +53,33 @@ void Workbench::save_views(const Frame& f, const std::string& file) {
   if (!options_.write_views) return;
   const ShownViews shown = shown_views(f);
   if (shown.views.empty()) return dialogs_.show_error("no view is uncovered", Dialogs::Kind::picture, file);
-  if (const auto error = options_.write_views(file, shown)) return dialogs_.show_error(error->text, Dialogs::Kind::picture, file);
-  picture_ending_ = fs::path(file).extension().string();
-  picture_saved(file);
+  auto writer = options_.write_views(file, shown);
+  if (!writer) return dialogs_.show_error(writer.error().text, Dialogs::Kind::picture, file);
+  writer_ = std::move(*writer);
+  written_file_ = file;
+  write_on();
+}
+
+/// A moment of what is being written, if anything is.
+void Workbench::write_on() {
+  if (!writer_) return;
+  wake();
+  if (const auto error = writer_->step()) {
+    writer_.reset();
+    return dialogs_.show_error(error->text, Dialogs::Kind::picture, written_file_);
+  }
+  const ViewsWriter::Progress now = writer_->progress();
+  if (!writer_->done()) return dialogs_.show_progress(now.part, now.text + ", for " + written_file_);
+  writer_.reset();
+  if (dialogs_.shown() == Dialogs::Kind::progress) dialogs_.close();
+  picture_ending_ = fs::path(written_file_).extension().string();
+  picture_saved(written_file_);
+}
+
+/// Somebody closed the pop-up that shows how far it is.
+void Workbench::give_up_writing() {
+  writer_.reset();
+  message_ = "given up: nothing was written";
 }
 
 // A view that is alone is saved by itself; several come with everything around them.
