@@ -204,10 +204,10 @@ void App::wait() {
   const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
   if (minimised) return glfwWaitEvents();
   if (workbench_.needs_redraw() || !input_.empty()) return glfwPollEvents();
-  if (std::isinf(workbench_.next_wake())) return glfwWaitEvents();
-  const double due = glfwGetTime() + workbench_.next_wake();
-  glfwWaitEventsTimeout(workbench_.next_wake());
-  if (glfwGetTime() >= due) workbench_.wake();
+  if (std::isinf(workbench_.next_look())) return glfwWaitEvents();
+  const double due = glfwGetTime() + workbench_.next_look();
+  glfwWaitEventsTimeout(workbench_.next_look());
+  if (glfwGetTime() >= due) workbench_.look();
 }
 
 void App::fill_screen_while_presenting() {

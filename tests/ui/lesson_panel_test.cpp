@@ -242,10 +242,13 @@ TEST_F(LessonPanelTest, UndoOnTheWayStopsAPlay) {
 
 TEST_F(LessonPanelTest, IsReadAgainWhenItsFilesChange) {
   open();
+  bench_->pass_time(2.0);
+  bench_->work().look();
+  EXPECT_FALSE(bench_->work().needs_redraw()) << "nothing has changed";
   write(kJson, std::string(kText) + "\n## More\n");
   fs::last_write_time(folder() / "text.md", fs::file_time_type::clock::now() + std::chrono::seconds(5));
   bench_->pass_time(2.0);
-  bench_->work().wake();
+  bench_->work().look();
   bench_->settle();
   EXPECT_THAT(bench_->work().lessons().error(), HasSubstr("text.md:11: no such step in lesson.json"));
   EXPECT_EQ(run().step().heading, "Ahead");
@@ -254,7 +257,7 @@ TEST_F(LessonPanelTest, IsReadAgainWhenItsFilesChange) {
   write(json, text);
   fs::last_write_time(folder() / "text.md", fs::file_time_type::clock::now() + std::chrono::seconds(9));
   bench_->pass_time(2.0);
-  bench_->work().wake();
+  bench_->work().look();
   bench_->settle();
   EXPECT_EQ(bench_->work().lessons().error(), "");
   EXPECT_EQ(bench_->experiment().light.to_light, glm::dvec3(0, 1, -2)) << "nobody had changed the step's start";

@@ -237,9 +237,9 @@ std::optional<Experiment> LessonSession::update(const Model& model, double now, 
 
 bool LessonSession::needs_texels() const { return open_ && open_->run.step().written.find("error.texels.") != std::string::npos; }
 
-double LessonSession::next_look(double now) const {
-  return open_ ? std::max(0.0, looked_ + look_seconds - now) : std::numeric_limits<double>::infinity();
-}
+bool LessonSession::files_changed() const { return open_ && times_of_files(open_->run.lesson().folder) != open_->written; }
+
+double LessonSession::seconds_to_look() const { return open_ ? look_seconds : std::numeric_limits<double>::infinity(); }
 
 void LessonSession::keep_progress() {
   LessonProgress now = open_->run.progress();

@@ -81,8 +81,10 @@ class LessonSession {
   Emphasis emphasis() const { return open_ ? open_->run.step().emphasis : Emphasis(); }
   /// The step speaks of texels over all pixels, or asks for them.
   bool needs_texels() const;
-  /// Seconds until files are looked at again; infinite without a lesson.
-  double next_look(double now) const;
+  /// Whether files changed since they were read, so that `update` has something to do.
+  bool files_changed() const;
+  /// Seconds after which to ask that again; infinite without a lesson.
+  double seconds_to_look() const;
 
  private:
   /// A lesson that has been opened stays, so that it comes back as it was left.

@@ -342,10 +342,10 @@ void Workbench::end_frame(Frame& f) {
   if (f.changed || requests_.open || requests_.action || dialogs_.settling()) wake();
   if (readback_.waiting() || profile_.waiting()) wake();
   if (!lesson_commands_.empty()) wake();
-  next_wake_ = lessons_.next_look(f.now);
+  next_look_ = lessons_.seconds_to_look();
   const ImGuiContext& g = *ImGui::GetCurrentContext();
-  if (!presenting_ && g.HoveredId != 0 && g.ActiveId == 0 && g.HoveredIdTimer < double(kTooltipDelay))
-    next_wake_ = std::min(next_wake_, double(kTooltipDelay) - g.HoveredIdTimer + 0.01);
+  tooltip_waits_ = !presenting_ && g.HoveredId != 0 && g.ActiveId == 0 && g.HoveredIdTimer < double(kTooltipDelay);
+  if (tooltip_waits_) next_look_ = std::min(next_look_, double(kTooltipDelay) - g.HoveredIdTimer + 0.01);
   profile_.end_frame();
   settings_ = clamped(settings_);
   if (settings_ == saved_settings_ || ImGui::IsAnyMouseDown()) return;

@@ -68,8 +68,12 @@ class Workbench {
   /// Something happened: the next three frames are drawn (ImGui settles late).
   void wake() { frames_left_ = 3; }
   bool needs_redraw() const { return frames_left_ > 0; }
-  /// Seconds until a tooltip is due; infinite if nothing is.
-  double next_wake() const { return next_wake_; }
+  /// Seconds until something may be due; infinite if nothing will be.
+  double next_look() const { return next_look_; }
+  /// They have passed without an event: wakes for a tooltip, or for a lesson whose files changed. Costs next to nothing else.
+  void look() {
+    if (tooltip_waits_ || lessons_.files_changed()) wake();
+  }
 
   /// A file dropped on the window, or a source chosen elsewhere: as Model::open, errors in a pop-up.
   void open(const std::string& source);
@@ -214,7 +218,8 @@ class Workbench {
   std::unique_ptr<ViewsWriter> writer_;  // at work, into this file
   std::string written_file_;
   int frames_left_ = 3;
-  double next_wake_ = std::numeric_limits<double>::infinity();
+  double next_look_ = std::numeric_limits<double>::infinity();
+  bool tooltip_waits_ = false;
   double views_ms_ = 0.0;
   std::uint64_t frames_ = 0, views_drawn_ = 0;
   bool presenting_ = false, black_ = false;
