@@ -24,7 +24,11 @@ TEST(ALesson, MayAnimateAnyNumber) {
 TEST(ABrokenLessonJson, NamesItsLineAndWhatIsAllowed) {
   const Broken table[] = {
       {"\"title\": \"A small lesson\",", "\"title\": \"A small lesson\"",
-       "lesson.json:4: not JSON: unexpected '\"summary\"'; allowed: JSON"},
+       "lesson.json:4: not JSON: unexpected \"summary\"; allowed: ',' or '}'"},
+      {"\"to_light\": [0, 1, -0.5]", "\"to_light\": [0, NaN, -0.5]",
+       "lesson.json:10: not JSON: NaN is no value; allowed: a finite number, a text in double quotes, true, false, null, a list "
+       "or "
+       "an object"},
       {"\"psmlab_lesson\": 1", "\"psmlab_lesson\": 2",
        "lesson.json:2: psmlab_lesson: 2 is not allowed; allowed: 1, the version that this program reads"},
       {"\"summary\"", "\"sumary\"", "lesson.json:4: sumary: no such member; allowed: psmlab_lesson, title, summary, base, steps"},
@@ -108,6 +112,13 @@ TEST(ABrokenLessonJson, NamesItsLineAndWhatIsAllowed) {
     const std::string fault = first_fault(replaced(kGoodJson, broken.from, broken.to), kGoodText);
     EXPECT_EQ(fault, broken.fault) << broken.from << " -> " << broken.to;
   }
+}
+
+TEST(ABrokenLessonJson, HasListsThatAreTooLong) {
+  std::string many = "\"light\"";
+  for (int i = 1; i < 101; ++i) many += ", \"light\"";
+  EXPECT_EQ(first_fault(replaced(kGoodJson, "\"highlight\": [\"light\"]", "\"highlight\": [" + many + "]"), kGoodText),
+            "lesson.json:13: steps.0.highlight: 101 elements; allowed: up to 100");
 }
 
 TEST(ABrokenText, NamesItsLineAndWhatIsAllowed) {

@@ -33,8 +33,8 @@ TEST(Json, KeepsTheLineOfEachValue) {
 TEST(Json, ErrorsStartWithTheLine) {
   const auto error = [](const char* text) { return parse_json(text).error().text; };
   EXPECT_EQ(error("{\n\"a\": 1,\n\"a\": 2}"), "3: a: given twice; allowed: once");
-  EXPECT_EQ(error(""), "1: not JSON: the file ends too early; allowed: a whole lesson");
-  EXPECT_THAT(error("{\n\n  a: 1}"), HasSubstr("3: not JSON: unexpected '"));
+  EXPECT_EQ(error(""), "1: not JSON: it ends too early; allowed: all of it");
+  EXPECT_THAT(error("{\n\n  a: 1}"), HasSubstr("3: not JSON: a is no value; allowed: "));
   EXPECT_THAT(error("[1e999]"), HasSubstr("1: "));
 }
 

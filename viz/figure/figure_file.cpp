@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+
+#include "scene/json_fault.h"
 
 namespace psm {
 namespace {
@@ -40,7 +43,8 @@ void allow_only(const json& object, const std::string& place, std::initializer_l
 std::string text_in(const json& object, const char* name) {
   const auto found = object.find(name);
   if (found == object.end()) throw Refused{std::string(name) + ": missing; allowed: a line of text"};
-  if (!found->is_string() || found->get_ref<const std::string&>().empty()) refuse(name, *found, "a line of text");
+  if (!found->is_string() || found->get_ref<const std::string&>().find_first_not_of(" \t\r\n") == std::string::npos)
+    refuse(name, *found, "a line of text");
   return *found;
 }
 
@@ -125,17 +129,18 @@ FigureFile read(const json& root) {
 Result<FigureFile> read_figure(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return InputError{file.string() + ": cannot be read; allowed: a figure file (.figure.json)"};
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
   try {
-    FigureFile figure = read(json::parse(stream));
+    FigureFile figure = read(json::parse(text));
     const std::string name = file.filename().string();
     figure.id = name.ends_with(kEnding) ? name.substr(0, name.size() - std::string(kEnding).size()) : file.stem().string();
     return figure;
   } catch (const Refused& refused) {
     return InputError{file.string() + ": " + refused.text};
-  } catch (const json::exception& error) {
-    std::string reason = error.what();
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    return InputError{file.string() + ": not JSON: " + reason + "; allowed: a figure as JSON"};
+  } catch (const json::parse_error& error) {
+    return InputError{file.string() + ": not JSON: " + json_fault(error.what(), text, error.byte)};
+  } catch (const json::out_of_range& error) {
+    return InputError{file.string() + ": not JSON: " + json_fault(error.what(), text, text.size())};
   }
 }
 

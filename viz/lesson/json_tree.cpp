@@ -8,6 +8,7 @@
 
 #include "scene/experiment.h"
 #include "scene/experiment_members.h"
+#include "scene/json_fault.h"
 
 namespace psm {
 namespace {
@@ -41,7 +42,7 @@ struct CountingIterator {
 /// Builds the tree from the parser's events.
 class Builder : public nlohmann::json_sax<json> {
  public:
-  Builder(const std::string& text, const char* const& farthest) : counted_to_(text.data()), farthest_(farthest) {}
+  Builder(const std::string& text, const char* const& farthest) : text_(text), counted_to_(text.data()), farthest_(farthest) {}
 
   JsonTree root;
   std::string error;  // with its line, once something was refused
@@ -73,9 +74,8 @@ class Builder : public nlohmann::json_sax<json> {
     object.names.push_back(name);
     return true;
   }
-  bool parse_error(std::size_t, const std::string& token, const nlohmann::detail::exception&) override {
-    return refuse(token.empty() || token == "<end of input>" ? "not JSON: the file ends too early; allowed: a whole lesson"
-                                                             : "not JSON: unexpected '" + quotable(token) + "'; allowed: JSON");
+  bool parse_error(std::size_t read, const std::string&, const nlohmann::detail::exception& said) override {
+    return refuse("not JSON: " + json_fault(said.what(), text_, read));
   }
 
  private:
@@ -110,6 +110,7 @@ class Builder : public nlohmann::json_sax<json> {
   }
   bool close() { return open_.pop_back(), true; }
 
+  const std::string& text_;
   const char* counted_to_;
   int line_ = 1;  // there
   const char* const& farthest_;

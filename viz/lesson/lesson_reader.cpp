@@ -14,9 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kLongestList = 100;  // more of anything in one step is a mistake, and keeps the window busy
+
 template <class Read>
 auto read_list(const MemberReader& json, Read read) {
   std::vector<decltype(read(json))> list;
+  if (json.node().items.size() > kLongestList)
+    json.fail(std::to_string(json.node().items.size()) + " elements; allowed: up to " + std::to_string(kLongestList));
+  if (!json.fine()) return list;
   for (const MemberReader& element : json.elements()) list.push_back(read(element));
   return list;
 }

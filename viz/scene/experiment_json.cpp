@@ -8,6 +8,7 @@
 #include "scene/experiment_file.h"
 #include "scene/experiment_members.h"
 #include "scene/field_reader.h"
+#include "scene/json_fault.h"
 #include "scene/json_node.h"
 
 namespace psm {
@@ -77,8 +78,10 @@ Result<ordered_json> parse(const std::string& text) {
     return refused.error;
   } catch (const ordered_json::out_of_range& error) {
     return InputError{guard.path() + ": " + parser_message(error) + "; allowed: finite numbers, and \"inf\" for camera.far"};
-  } catch (const ordered_json::exception& error) {
-    return InputError{"not JSON: " + parser_message(error) + "; allowed: an experiment as JSON"};
+  } catch (const ordered_json::parse_error& error) {
+    const auto end = text.begin() + std::ptrdiff_t(std::min(error.byte, text.size()));
+    const auto line = 1 + std::count(text.begin(), end, '\n');
+    return InputError{"not JSON: line " + std::to_string(line) + ": " + json_fault(error.what(), text, error.byte)};
   }
 }
 

@@ -82,6 +82,9 @@ bool is_share_text(const std::string& text) { return one_piece(text.substr(0, 25
 Result<ExperimentMembers> members_from_pairs(const std::string& pairs) {
   std::vector<std::string> overrides;
   for (const std::string& pair : pairs.empty() ? std::vector<std::string>() : pieces(pairs, '&')) {
+    if (pair.empty())
+      return InputError{"member " + std::to_string(overrides.size() + 1) + " of \"" + quotable(pairs) +
+                        "\" is empty; allowed: PATH=VALUE, with one & between two of them"};
     const auto plain = unescaped(pair);
     if (!plain) return plain.error();
     overrides.push_back(*plain);
@@ -95,6 +98,8 @@ Result<ExperimentMembers> members_from_pairs(const std::string& pairs) {
 Result<ExperimentMembers> members_from_share_text(const std::string& text) {
   const std::string rest = one_piece(text).substr(kScheme.size());
   const std::size_t query = rest.find('?');
+  if (rest.find('&') < query)
+    return InputError{quotable(rest) + ": & before any ?; allowed: psmlab:SCENE?PATH=VALUE&PATH=VALUE, %26 for & in a path"};
   const auto source = unescaped(rest.substr(0, query));
   if (!source) return source.error();
   auto members = members_from_pairs(query == std::string::npos ? "" : rest.substr(query + 1));
