@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -46,8 +47,9 @@ TEST(Measure, InterruptedPrintsWhatIsFinished) {
   std::string small;
   for (const std::string& argument : small_measure({"--techniques", "all", "--theta-deg", "1:179:1", "--csv"}))
     small += argument + " ";
+  std::ofstream{out};  // so that the loop finds it
   // TERM is handled as Ctrl-C is; a shell's background job does not hear the latter.
-  const Outcome run = run_shell(small + "> " + out + " & pid=$!; while kill -0 $pid 2> /dev/null && [ $(wc -l < " + out +
+  const Outcome run = run_shell(small + ">> " + out + " & pid=$!; while kill -0 $pid 2> /dev/null && [ $(wc -l < " + out +
                                 ") -lt 3 ]; do :; done; kill -TERM $pid; wait $pid");
   EXPECT_EQ(run.code, 1) << run.err;
   std::istringstream lines(contents(out));

@@ -51,9 +51,11 @@ TEST_P(Shadows, depth_is_the_analytic_one) {
 TEST_P(Shadows, casters_outside_the_depth_body_are_left_out) {
   renderer_->set_scene(floor_and_plate());
   Analysis analysis = lit_from_above(8);
+  analysis.experiment.shadow.depth_bias = 0.0;                  // for which a map is drawn even of a floor alone
   analysis.depth_body = box_body({-2, -0.1, -2}, {2, 0.9, 2});  // the floor, but not the plate
   renderer_->draw_shadow_map(analysis);
   const std::vector<float> without_plate = renderer_->read_map_depth();
+  ASSERT_EQ(without_plate.size(), 64u);
   EXPECT_NEAR(without_plate[4 * 8 + 4], without_plate[0], 1e-6);
   analysis.depth_body = {};  // nothing is visible
   renderer_->draw_shadow_map(analysis);
@@ -75,6 +77,23 @@ TEST_P(Shadows, no_map_is_drawn_where_nothing_reaches_into_the_depth_body) {
   EXPECT_NE(hatched.rgba, renderer_->read_view(ViewId::map).rgba);
   analysis.depth_body = everything();
   EXPECT_NEAR(pixel(draw(floor_and_plate(), analysis, seen_under_plate(), {40, 40}), 20, 20).g, 0x80, 3) << "and it comes back";
+}
+
+TEST_P(Shadows, no_map_is_drawn_of_one_plane_unless_its_acne_is_to_be_seen) {
+  renderer_->set_scene(floor_and_plate());
+  Analysis analysis = lit_from_above(64);
+  analysis.depth_body = box_body({-2, -0.1, -2}, {2, 0.9, 2});  // the floor alone
+  const auto triangles = [&] {
+    renderer_->update_shadow_map(analysis);
+    return renderer_->map_triangles();
+  };
+  EXPECT_EQ(triangles(), 0u);
+  analysis.experiment.shadow.depth_bias = 0.0;
+  EXPECT_EQ(triangles(), 2u);
+  analysis.experiment.shadow.normal_bias = 0.5;
+  EXPECT_EQ(triangles(), 0u);
+  analysis.depth_body = everything();
+  EXPECT_EQ(triangles(), 4u);
 }
 
 TEST_P(Shadows, a_map_that_would_come_out_the_same_is_not_drawn_again) {
@@ -107,8 +126,11 @@ TEST_P(Shadows, rows_of_depth_go_upwards) {
   Scene scene = empty_scene();
   add_quad(scene, {-2, 0, 0}, {4, 0, 0}, {0, 0, -2});  // z < 0: up in the map
   renderer_->set_scene(scene);
-  renderer_->draw_shadow_map(lit_from_above(8));
+  Analysis analysis = lit_from_above(8);
+  analysis.experiment.shadow.depth_bias = 0.0;  // for which a map is drawn even of one plane
+  renderer_->draw_shadow_map(analysis);
   const std::vector<float> depth = renderer_->read_map_depth();
+  ASSERT_EQ(depth.size(), 64u);
   EXPECT_EQ(depth[1 * 8 + 4], 1.0f);
   EXPECT_LT(depth[6 * 8 + 4], 1.0f);
 }

@@ -233,11 +233,14 @@ void SceneBuffers::draw_range(Primitive primitive, std::size_t first, GLsizei co
   glDrawElements(mode_of(primitive), count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
-bool SceneBuffers::any_inside(Primitive primitive, const ConvexBody& body) const {
-  return std::any_of(batches_.begin(), batches_.end(), [&](const Batch& batch) {
-    return batch.primitive == primitive && std::any_of(batch.parts.begin(), batch.parts.end(),
-                                                       [&](const Part& part) { return part.count > 0 && reaches(part, body); });
-  });
+Bounds SceneBuffers::bounds_inside(Primitive primitive, const ConvexBody& body) const {
+  Bounds bounds;
+  for (const Batch& batch : batches_) {
+    if (batch.primitive != primitive) continue;
+    for (const Part& part : batch.parts)
+      if (part.count > 0 && reaches(part, body)) bounds.add(part.bounds.min), bounds.add(part.bounds.max);
+  }
+  return bounds;
 }
 
 std::size_t SceneBuffers::draw_parts(const Batch& batch, const std::function<bool(std::size_t)>& wanted) const {

@@ -53,8 +53,8 @@ class SceneBuffers {
   std::string defines(const Batch& batch) const;
   /// Sets the material's uniforms of the program in use, and its texture on unit 0.
   void bind_material(const Batch& batch, Program& program) const;
-  /// Whether any part of this kind reaches into the body.
-  bool any_inside(Primitive primitive, const ConvexBody& body) const;
+  /// Around the parts of this kind that reach into the body.
+  Bounds bounds_inside(Primitive primitive, const ConvexBody& body) const;
   /// Only the parts that `wanted` returns true for, by their index in the batch. Returns how many indices that were.
   std::size_t draw_parts(const Batch& batch, const std::function<bool(std::size_t)>& wanted) const;
   /// Only the parts that reach into the body. Returns how many indices that were.

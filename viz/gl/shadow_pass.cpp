@@ -33,6 +33,16 @@ std::vector<glm::dmat4> maps_from_world(const Analysis& analysis) {
   return maps;
 }
 
+/// Whether what reaches the receivers could darken any of them. Triangles that all lie in one plane across an axis shadow only
+/// themselves, and that only where the bias is too small for them: as acne, which is there to be seen.
+bool can_shadow(const Bounds& casters, const Analysis& analysis) {
+  if (casters.empty()) return false;
+  const ShadowSettings& shadow = analysis.experiment.shadow;
+  const bool in_one_plane = glm::any(glm::equal(casters.min, casters.max));
+  const bool free_of_acne = shadow.slope_scaled_bias() >= 1.0 || shadow.normal_bias >= 0.5;
+  return !(in_one_plane && free_of_acne);
+}
+
 /// Halves the resolution until the card has room.
 int allocate_depth(int resolution, int layers) {
   for (;; resolution /= 2) {
@@ -77,7 +87,7 @@ void ShadowPass::allocate(int resolution, int layers) {
 ShadowPass::Content ShadowPass::content_of(const SceneBuffers& scene, const Analysis& analysis) {
   const ShadowSettings& shadow = analysis.experiment.shadow;
   return {maps_from_world(analysis),    shadow.resolution, shadow.slope_scaled_bias(), shadow.cull,
-          analysis.depth_body.vertices, scene.revision()};
+          analysis.depth_body.vertices, scene.revision(),  shadow.normal_bias};
 }
 
 void ShadowPass::update(const SceneBuffers& scene, const Analysis& analysis) {
@@ -90,7 +100,7 @@ void ShadowPass::draw(const SceneBuffers& scene, const Analysis& analysis) {
   range_known_ = false;
   maps_from_local_.clear();
   triangles_drawn_ = 0;
-  if (drawn_->maps.empty() || !scene.any_inside(Primitive::triangles, analysis.depth_body)) return;
+  if (drawn_->maps.empty() || !can_shadow(scene.bounds_inside(Primitive::triangles, analysis.depth_body), analysis)) return;
 
   allocate(drawn_->resolution, int(drawn_->maps.size()));
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());

@@ -56,6 +56,7 @@ class ShadowPass {
     Cull cull = Cull::none;
     std::vector<glm::dvec3> casters;  // of the body that they reach into
     int scene = 0;
+    double normal_bias = 0.0;  // texels
     bool operator==(const Content&) const = default;
   };
   static Content content_of(const SceneBuffers& scene, const Analysis& analysis);
