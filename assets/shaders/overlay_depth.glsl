@@ -9,13 +9,12 @@ const float kStep = 1.0 / 16777216.0;  // of a 24-bit depth
 
 float depth_at(ivec2 pixel) { return texelFetch(u_depth, clamp(pixel, u_first_pixel, u_last_pixel), 0).r; }
 
-float slope(float before, float here, float after) { return min(abs(here - before), abs(after - here)); }
-
+// Of the two neighbours along an axis, the card's derivative knows the one that shares this pixel's block of 2 x 2.
 float overlay_depth() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = ivec2(gl_FragCoord.xy), other = 2 * (pixel & 1) - 1;
   float here = depth_at(pixel);
-  float along_x = slope(depth_at(pixel - ivec2(1, 0)), here, depth_at(pixel + ivec2(1, 0)));
-  float along_y = slope(depth_at(pixel - ivec2(0, 1)), here, depth_at(pixel + ivec2(0, 1)));
+  float along_x = min(abs(dFdx(here)), abs(depth_at(pixel + ivec2(other.x, 0)) - here));
+  float along_y = min(abs(dFdy(here)), abs(depth_at(pixel + ivec2(0, other.y)) - here));
   bool outside = any(lessThan(pixel, u_first_pixel)) || any(greaterThan(pixel, u_last_pixel));
   return outside ? 1.0 : min(here + kPushBack * max(along_x, along_y) + kStep, 1.0);
 }

@@ -36,7 +36,7 @@ void append_segment(std::vector<LineVertex>& to, const Quad& s, const PictureFra
   const glm::dvec2 across(-along.y, along.x);
   // Dashes count from a place that does not depend on where the line was clipped, so that pieces of one line dash as one.
   const glm::dvec2 upright = along.x < 0.0 || (along.x == 0.0 && along.y < 0.0) ? -along : along;
-  const double reach = s.half_width() + 1.0;  // the feather, and half a pixel for centres
+  const double reach = s.half_width() + 0.5;  // the feather
   const double depth_step = length > 0.0 ? (s.depth_b - s.depth_a) / length : 0.0;
   const auto corner = [&](bool at_b, double sideways) {
     const double t = at_b ? length + reach : -reach, aside = sideways * reach;
@@ -86,7 +86,7 @@ ShapeVertex shape_corner(const ShapeVertex& flat, glm::dvec2 pixels, double dept
 }
 
 void append_shape(std::vector<ShapeVertex>& to, const ShapeVertex& flat, double depth, const PictureFrame& frame) {
-  const glm::dvec2 centre(flat.box.x, flat.box.y), reach = glm::dvec2(flat.box.z, flat.box.w) + 1.0;
+  const glm::dvec2 centre(flat.box.x, flat.box.y), reach = glm::dvec2(flat.box.z, flat.box.w) + 0.5;
   append_quad<ShapeVertex>(to, {shape_corner(flat, centre - reach, depth, frame),
                                 shape_corner(flat, centre + glm::dvec2(reach.x, -reach.y), depth, frame),
                                 shape_corner(flat, centre + reach, depth, frame),
