@@ -136,8 +136,9 @@ class Placer {
   }
 
   void put(const Pending& chosen) {
-    const auto best = std::min_element(chosen.free.begin(), chosen.free.end(),
-                                       [&](const Candidate& p, const Candidate& q) { return cost(chosen, p) < cost(chosen, q); });
+    std::vector<double> costs;
+    for (const Candidate& candidate : chosen.free) costs.push_back(cost(chosen, candidate));
+    const auto best = chosen.free.begin() + (std::min_element(costs.begin(), costs.end()) - costs.begin());
     const Rect plate = best->text.grown(margin());
     placed_.push_back(
         {best->text.min, chosen.size, chosen.anchor, chosen.label->text, chosen.label->role, best->distance > rings[0]});
