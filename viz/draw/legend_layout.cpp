@@ -9,7 +9,8 @@ namespace {
 
 // Pixels at scale 1.
 constexpr double kInset = 8.0, kPadding = 6.0, kSwatchWidth = 22.0, kGap = 4.0, kEntryGap = 10.0, kLineGap = 4.0, kHatch = 7.0;
-constexpr double kLowView = 420.0;  // where lines of text go on beside each other: height is what it lacks
+constexpr double kLowView = 420.0;      // where lines of text go on beside each other: height is what it lacks
+constexpr double kVeryLowView = 300.0;  // pixels at scale 1: numbers give way to the ground
 constexpr float kPlateOpacity = 0.92f, kRimOpacity = 0.16f, kSwatchRim = 0.5f;
 
 struct Item {
@@ -76,15 +77,16 @@ Flowed flowed(const Legend& legend, const PictureFrame& frame, const TextSize& t
 }
 
 /// What of the legend fits a quarter of the view: all, or fewer numbers, the last line first, or the colours alone, which may
-/// take half of it. Numbers beside colours may not take more than a fifth of a low view's height: the colours of the ground lie
-/// there.
+/// take half of it. Numbers beside colours may not take more than a fifth of a very low view's height: the colours of the ground
+/// lie there.
 Legend fitting(Legend legend, const PictureFrame& frame, const TextSize& text_size) {
   const auto too_large = [&](double part) {
     const glm::dvec2 plate = flowed(legend, frame, text_size).plate;
     return plate.x * plate.y > part * frame.size.x * frame.size.y;
   };
   const auto hides_colors = [&] {
-    return is_low(frame) && !legend.entries.empty() && flowed(legend, frame, text_size).plate.y > 0.2 * frame.size.y;
+    return frame.size.y < kVeryLowView * frame.scale && !legend.entries.empty() &&
+           flowed(legend, frame, text_size).plate.y > 0.2 * frame.size.y;
   };
   while (!legend.lines.empty() && (hides_colors() || too_large(0.25))) legend.lines.pop_back();
   if (too_large(0.25)) legend.title.clear();
