@@ -73,6 +73,10 @@ TEST(SeenRect, every_point_of_a_box_that_is_in_the_picture_lies_in_its_rectangle
   EXPECT_GT(in_picture, 500);
 }
 
+TEST(SeenRect, what_overflows_may_be_anywhere) {
+  expect_rect(rect_of(1e300 * from_origin(), {{-1e10, -1, -4}, {1e10, 1, -2}}), 0, 0, kSize.x, kSize.y);
+}
+
 TEST(SeenRect, rectangles_meet_and_join) {
   const PixelRect a{0, 0, 10, 10}, b{5, 6, 20, 8}, apart{50, 50, 60, 60};
   expect_rect(common(a, b), 5, 6, 10, 8);

@@ -29,6 +29,7 @@ PixelRect joined(const PixelRect& a, const PixelRect& b) {
 }
 
 void SeenRect::add_point(const glm::dvec4& p) {
+  if (!std::isfinite(p.x + p.y + p.w)) min_ = glm::dvec2(-kInfinity), max_ = glm::dvec2(kInfinity);  // it may be anywhere
   if (!(p.w > 0.0)) return;
   const glm::dvec2 at = glm::dvec2(p) / p.w;
   min_ = glm::min(min_, at);

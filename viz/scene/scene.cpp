@@ -63,8 +63,8 @@ Result<Scene> scene_from(const std::string& source, const std::filesystem::path&
   const std::filesystem::path file = base / std::filesystem::path(source);
   std::error_code error;
   if (source.empty() || !std::filesystem::exists(file, error))
-    return InputError{"scene.source: \"" + gltf::shown(source) + "\" is neither a built-in scene (" + joined_ids() +
-                      ") nor a file (looked for " + gltf::shown(file) + ")"};
+    return InputError{"\"" + gltf::shown(source) + "\" is neither a built-in scene nor a file (looked for " + gltf::shown(file) +
+                      "); allowed: " + joined_ids() + ", or a .gltf or .glb file"};
   return read_gltf(file);
 }
 
