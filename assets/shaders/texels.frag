@@ -32,6 +32,7 @@ uniform vec3 u_no_texel;
 
 uniform float u_step;
 uniform float u_strong;  // every how many of these lines is strong
+uniform float u_weak;    // opacity of the others
 uniform vec3 u_line_color;
 
 out vec4 o_color;
@@ -80,7 +81,7 @@ void shade() {
   vec2 texel = (0.5 * q.xy / q.w + 0.5) * u_resolution;
   vec2 right = dFdx(texel), up = dFdy(texel);
   vec2 texels_a_pixel = vec2(length(vec2(right.x, up.x)), length(vec2(right.y, up.y)));
-  vec2 weak = 0.55 * line_coverage(texel, texels_a_pixel, u_step, u_scale);
+  vec2 weak = u_weak * line_coverage(texel, texels_a_pixel, u_step, u_scale);
   vec2 strong = 0.95 * line_coverage(texel, texels_a_pixel, u_step * u_strong, 2.0 * u_scale);
   float opacity = max(max(weak.x, weak.y), max(strong.x, strong.y)) * (1.0 - distance_fade());
   bool inside = q.w > 0.0 && max(abs(q.x), abs(q.y)) <= q.w;

@@ -135,10 +135,11 @@ std::uint32_t Renderer::draw_view(const ViewPicture& picture, const Analysis& an
   const PixelRect sampled = joined(joined(scene_rect, fills_rect(picture, size)), cover_rect(picture, size));
   if (!sampled.empty()) {
     s.multisample.clear(sampled, ground);
-    if (solid) s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, theme, ground);
+    if (solid) s.scene_pass.draw(picture, analysis, s.scene, s.shadow_pass, scale, ground);
     s.cover_pass.draw(picture);
-    clear_outside(picture, size, outside);  // after the scene: some drivers let multisampled triangles reach beyond a scissor
     s.list_pass.draw_fills(picture, frame);
+    if (solid) s.scene_pass.draw_texel_grid(picture, analysis, s.scene, s.shadow_pass, scale, theme);
+    clear_outside(picture, size, outside);  // after the scene: some drivers let multisampled triangles reach beyond a scissor
     target.resolve_from(s.multisample, sampled);
   }
   if (!scene_rect.empty() && !(picture.list.lines.empty() && picture.list.points.empty()))

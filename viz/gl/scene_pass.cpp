@@ -43,9 +43,10 @@ struct Side {
 
 namespace {
 
-constexpr double kConeEdge = glm::radians(1.0);  // how soft a spot's edge is, inwards
-constexpr float kPointSize = 4.0f;               // pixels at scale 1, of a mesh's points
-constexpr double kFadeStart = 0.75;              // of the cube's limit, as in scene.frag
+constexpr double kConeEdge = glm::radians(1.0);                     // how soft a spot's edge is, inwards
+constexpr float kPointSize = 4.0f;                                  // pixels at scale 1, of a mesh's points
+constexpr float kWeakLines = 0.55f, kWeakLinesAmongBodies = 0.85f;  // opacity of the texel grid's thin lines
+constexpr double kFadeStart = 0.75;                                 // of the cube's limit, as in scene.frag
 
 /// Of any length but zero, to unit length; what is zero or not finite stays dark.
 glm::vec4 unit_light(const glm::dvec4& light) {
@@ -122,6 +123,21 @@ std::optional<CubeLimit> limit_of(const ViewPicture& picture) {
   return CubeLimit{picture.cube_from_world, kFadeStart * picture.cube_limit, picture.cube_limit};
 }
 
+/// All but the ground's colour; nothing where a matrix cannot be drawn.
+std::optional<SceneUniforms> picture_uniforms(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene,
+                                              const ShadowPass& map, double scale) {
+  const bool projective = picture.scene == ScenePicture::projective;
+  const auto clip = narrow(picture.clip_from_world * scene.world_from_local());
+  const auto cube = narrow(picture.cube_from_world * scene.world_from_local());
+  if (!clip || (projective && !cube)) return std::nullopt;
+  SceneUniforms values = shadow_uniforms(analysis, scene, map);
+  values.clip_from_local = *clip;
+  values.cube_from_local = cube.value_or(glm::mat4(1.0f));
+  values.cube_limit = projective ? float(picture.cube_limit) : 0.0f;
+  values.point_size = float(kPointSize * scale);
+  return values;
+}
+
 /// Whether a batch has parts that need to discard fragments, or such that do not.
 bool has_parts(const SceneBuffers& scene, const ShownBatch& shown, bool discarding) {
   const bool holes = scene.material(*shown.batch).alpha_cutoff > 0.0f;
@@ -173,8 +189,9 @@ void set_heat(Program& program, EyeOverlay overlay, const Analysis& analysis, co
   program.set("u_no_texel", kNoTexelColor);
 }
 
-void set_grid(Program& program, int step, Theme theme) {
-  program.set("u_step", float(step));
+void set_grid(Program& program, const ViewPicture& picture, Theme theme) {
+  program.set("u_step", float(picture.texel_step));
+  program.set("u_weak", picture.id == ViewId::eye ? kWeakLines : kWeakLinesAmongBodies);
   program.set("u_strong", float(kStrongLines));
   program.set("u_line_color", picture_line_color(Role::texel_grid, theme));
 }
@@ -236,42 +253,37 @@ PixelRect ScenePass::reach(const ViewPicture& picture, const SceneBuffers& scene
 }
 
 void ScenePass::draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map,
-                     double scale, Theme theme, const glm::vec4& ground) {
-  const bool projective = picture.scene == ScenePicture::projective;
-  const glm::dmat4 clip_from_local = picture.clip_from_world * scene.world_from_local();
-  const auto clip = narrow(clip_from_local);
-  const auto cube = narrow(picture.cube_from_world * scene.world_from_local());
-  if (!clip || (projective && !cube)) return;
-
-  SceneUniforms values = shadow_uniforms(analysis, scene, map);
-  values.clip_from_local = *clip;
-  values.cube_from_local = cube.value_or(glm::mat4(1.0f));
-  values.cube_limit = projective ? float(picture.cube_limit) : 0.0f;
-  values.point_size = float(kPointSize * scale);
-  values.ground = ground;
-
-  const ShadowSettings& shadow = analysis.experiment.shadow;
-  map.bind_for_comparison(1, shadow.filter == Filter::hardware);
+                     double scale, const glm::vec4& ground) {
+  auto values = picture_uniforms(picture, analysis, scene, map, scale);
+  if (!values) return;
+  values->ground = ground;
+  map.bind_for_comparison(1, analysis.experiment.shadow.filter == Filter::hardware);
   glEnable(GL_DEPTH_TEST);
-  const std::vector<Side> sides = sides_of(picture.clip_from_world, limit_of(picture), scene);
   const auto heat = [&](Program& program) {
     set_texels(program, analysis, scene, scale);
     set_heat(program, picture.overlay, analysis, scene);
   };
+  draw_scene(heat_scale(picture.overlay) ? Shading{"texels", "", heat} : lit(analysis, map), *values, scene,
+             sides_of(picture.clip_from_world, limit_of(picture), scene));
+}
+
+void ScenePass::draw_texel_grid(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene,
+                                const ShadowPass& map, double scale, Theme theme) {
+  if (picture.texel_step <= 0) return;
+  const auto values = picture_uniforms(picture, analysis, scene, map, scale);
+  if (!values) return;
   const auto grid = [&](Program& program) {
     set_texels(program, analysis, scene, scale);
-    set_grid(program, picture.texel_step, theme);
+    set_grid(program, picture, theme);
   };
-  draw_scene(heat_scale(picture.overlay) ? Shading{"texels", "", heat} : lit(analysis, map), values, scene, sides);
-  if (picture.texel_step > 0) {
-    glDepthFunc(GL_LEQUAL);
-    glDepthMask(GL_FALSE);
-    enable_blending();
-    draw_scene({"texels", "#define GRID\n", grid}, values, scene, sides);
-    glDisable(GL_BLEND);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LESS);
-  }
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  enable_blending();
+  draw_scene({"texels", "#define GRID\n", grid}, *values, scene, sides_of(picture.clip_from_world, limit_of(picture), scene));
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
 }
 
 void ScenePass::draw_verdicts(const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map) {

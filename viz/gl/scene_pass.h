@@ -24,10 +24,13 @@ class ScenePass {
  public:
   explicit ScenePass(const std::filesystem::path& shaders) : shaders_(shaders) {}
 
-  /// ScenePicture::shadowed and ::projective, into the bound framebuffer, with depth; a heat map instead of the lit scene, and
-  /// the texel grid over it, where the picture asks for them.
+  /// ScenePicture::shadowed and ::projective, into the bound framebuffer, with depth; a heat map instead of the lit scene where the
+  /// picture asks for it. `ground`: what the scene fades to.
   void draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map, double scale,
-            Theme theme, const glm::vec4& ground);
+            const glm::vec4& ground);
+  /// The texel grid over what draw() drew, and over bodies around it, where the picture asks for it.
+  void draw_texel_grid(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map,
+                       double scale, Theme theme);
 
   /// Where draw() may change pixels.
   static PixelRect reach(const ViewPicture& picture, const SceneBuffers& scene, glm::ivec2 size, double scale);
