@@ -24,8 +24,8 @@ class ScenePass {
  public:
   explicit ScenePass(const std::filesystem::path& shaders) : shaders_(shaders) {}
 
-  /// ScenePicture::shadowed and ::projective, into the bound framebuffer, with depth; a heat map instead of the lit scene where the
-  /// picture asks for it. `ground`: what the scene fades to.
+  /// ScenePicture::shadowed and ::projective, into the bound framebuffer, with depth; a heat map instead of the lit scene where
+  /// the picture asks for it. `ground`: what the scene fades to.
   void draw(const ViewPicture& picture, const Analysis& analysis, const SceneBuffers& scene, const ShadowPass& map, double scale,
             const glm::vec4& ground);
   /// The texel grid over what draw() drew, and over bodies around it, where the picture asks for it.
