@@ -16,7 +16,7 @@ using glm::dvec3, glm::dvec4;
 std::optional<dvec4> receiver_plane(const Stages& s, Analysis& a) {
   if (s.x.shadow.receiver_plane) return *s.x.shadow.receiver_plane / glm::length(dvec3(*s.x.shadow.receiver_plane));
   if (!s.served.empty()) return largest_flat_area(s.served);
-  const auto plane = largest_flat_area(face_points(s.view, a));
+  const auto plane = largest_flat_area(face_points(s.view, a, 2));
   if (plane)
     note(a, "receiver_plane_from_bounds", "No visible points were given: the largest lit face of the receivers' body stands in.");
   return plane;

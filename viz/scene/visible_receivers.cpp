@@ -61,13 +61,12 @@ ConvexBody visible_part(const ConvexBody& receivers, const ViewFrame& view, cons
   return part.empty() ? receivers : part;
 }
 
-std::vector<SurfacePoint> face_points(const ViewFrame& view, const Analysis& analysis) {
+std::vector<SurfacePoint> face_points(const ViewFrame& view, const Analysis& analysis, int coarser) {
+  const int columns = kVisibleColumns / coarser, rows = kVisibleRows / coarser;
   std::vector<SurfacePoint> points;
   const RaysFrom rays(analysis.receivers_body, view.eye);
-  for (int i = 0; i < kVisibleColumns * kVisibleRows; ++i) {
-    const dvec3 along = view.at((2.0 * (i % kVisibleColumns) + 1) / kVisibleColumns - 1,
-                                (2.0 * (i / kVisibleColumns) + 1) / kVisibleRows - 1, 1) -
-                        view.eye;
+  for (int i = 0; i < columns * rows; ++i) {
+    const dvec3 along = view.at((2.0 * (i % columns) + 1) / columns - 1, (2.0 * (i / columns) + 1) / rows - 1, 1) - view.eye;
     if (const auto p = rays.far_side(along); p && faces_light(p->position, p->normal, analysis.light)) points.push_back(*p);
   }
   return points;

@@ -21,8 +21,9 @@ std::vector<SurfacePoint> points_to_serve(std::span<const SurfacePoint> visible,
 ConvexBody visible_part(const ConvexBody& receivers, const ViewFrame& view, const LightFrame<double>& frame,
                         std::span<const SurfacePoint> points);
 
-/// Stand-ins where nobody has visible points: the far faces of R that S bounds, seen from inside, where they face the light.
-std::vector<SurfacePoint> face_points(const ViewFrame& view, const Analysis& analysis);
+/// Stand-ins where nobody has visible points: the far faces of R that S bounds, seen from inside, where they face the light; on
+/// the coarse grid of visible points, or a coarser one, by this factor along both sides.
+std::vector<SurfacePoint> face_points(const ViewFrame& view, const Analysis& analysis, int coarser = 1);
 
 /// The plane (unit normal on the visible side, distance) that most of the points lie on, within a degree and a ten-thousandth of
 /// their extent.
