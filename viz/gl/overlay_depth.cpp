@@ -24,8 +24,7 @@ void OverlayDepth::take(const MultisampleTarget& scene, glm::ivec2 size, const P
   reserve(size);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, scene.framebuffer());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.get());
-  glBlitFramebuffer(rect.left, rect.bottom, rect.right, rect.top, rect.left, rect.bottom, rect.right, rect.top,
-                    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  blit(rect, GL_DEPTH_BUFFER_BIT);
 }
 
 void OverlayDepth::bind(Program& program) const {

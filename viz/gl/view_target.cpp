@@ -43,6 +43,11 @@ void clear(const PixelRect& rect, const glm::vec4& rgba) {
   glDisable(GL_SCISSOR_TEST);
 }
 
+void blit(const PixelRect& rect, GLbitfield buffers) {
+  glBlitFramebuffer(rect.left, rect.bottom, rect.right, rect.top, rect.left, rect.bottom, rect.right, rect.top, buffers,
+                    GL_NEAREST);
+}
+
 MultisampleTarget::MultisampleTarget() : samples_(std::min(kSamples, limit(GL_MAX_SAMPLES))) {}
 
 void MultisampleTarget::reserve(glm::ivec2 size) {
@@ -84,8 +89,7 @@ void ViewTarget::resize(glm::ivec2 size) {
 void ViewTarget::resolve_from(const MultisampleTarget& source, const PixelRect& rect) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, source.framebuffer());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.get());
-  glBlitFramebuffer(rect.left, rect.bottom, rect.right, rect.top, rect.left, rect.bottom, rect.right, rect.top,
-                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  blit(rect, GL_COLOR_BUFFER_BIT);
 }
 
 std::vector<std::uint8_t> ViewTarget::read_top_to_bottom() const { return read_rows(framebuffer_, size_); }

@@ -59,6 +59,9 @@ class PlainTarget {
 /// Of the framebuffer in use, to this colour and the far end.
 void clear(const PixelRect& rect, const glm::vec4& rgba);
 
+/// The same pixels of the framebuffer that is bound for reading to the one bound for drawing: resolves samples.
+void blit(const PixelRect& rect, GLbitfield buffers);
+
 /// At least 1x1, at most what this context can draw to.
 glm::ivec2 allowed_size(glm::ivec2 size);
 
