@@ -2,7 +2,8 @@
 // With MAY_DISCARD: cutoff textures and the cube view's limit; without, cards test depth before they shade. TEXTURED, COLORED: the
 // surface has a texture, colours at its vertices.
 // VERDICT: what the map says, as a number from 0 to 255 in red (MapVerdict: 1 dark, 2 lit, 3 outside the map); the lit fraction in green.
-// ONE_MAP: there is no second one. SUN: the light is a direction. LOOKUP: with filters, and with points that are shifted before they are looked up.
+// MAPS: how many shadow maps there are; not defined without any. SUN: the light is a direction. LOOKUP: with filters, and with points
+// that are shifted before they are looked up.
 // Hemisphere light from above and one light with shadows. No fall-off with distance: shadows have to be read, not admired.
 in vec3 v_position;
 in vec3 v_normal;
@@ -18,10 +19,12 @@ uniform vec4 u_light;         // homogeneous, towards the light, local space; a 
 uniform vec3 u_spot_axis;     // into the scene, unit
 uniform vec2 u_spot_cosines;  // of the edge and of where it starts to soften; (-2, -2): no cone
 
+#ifdef MAPS
 uniform sampler2DArrayShadow u_map;
-uniform mat4 u_map_from_local[6];
-uniform int u_map_count;
-uniform float u_receiver_bias;  // 1, or less where the caster's bias is below one texel: without bias, acne is to be seen
+in vec4 v_in_map[MAPS];                 // the point's place in each map, homogeneous
+vec4 g_along_x[MAPS], g_along_y[MAPS];  // its change from pixel to pixel, which is along the surface
+uniform float u_receiver_bias;          // 1, or less where the caster's bias is below one texel: without bias, acne is to be seen
+#endif
 
 uniform mat4 u_cube_from_local;
 uniform float u_cube_limit;  // 0: no limit
@@ -29,7 +32,6 @@ uniform vec4 u_ground;       // what it fades to, sRGB
 
 out vec4 o_color;
 
-vec3 g_along_x, g_along_y;    // two directions in the surface
 bool g_outside_map = false;  // the shadow test found no map that holds the point
 
 // Chosen so that a near-white floor (0.85) is #E8E8E8 in the light and #808080 in shadow, 3.2 to 1.
@@ -46,9 +48,10 @@ vec3 direction_to_light() {
 #endif
 }
 
+#ifdef MAPS
 // How the depth of the surface's plane changes over the map, in map coordinates from 0 to 1; 0 where it is seen from its edge.
-vec2 depth_slope(mat4 map, vec4 q) {
-  vec4 x = map * vec4(g_along_x, 0.0), y = map * vec4(g_along_y, 0.0);
+vec2 depth_slope(int i) {
+  vec4 q = v_in_map[i], x = g_along_x[i], y = g_along_y[i];
   vec3 device = q.xyz / q.w;
   vec3 dx = x.xyz - device * x.w, dy = y.xyz - device * y.w;  // times q.w, which cancels
   float area = dx.x * dy.y - dx.y * dy.x;
@@ -57,6 +60,7 @@ vec2 depth_slope(mat4 map, vec4 q) {
 }
 
 #ifdef LOOKUP
+uniform mat4 u_map_from_local[MAPS];
 uniform float u_constant_bias, u_normal_bias;  // texels
 uniform int u_kernel;                          // texels across; 0: the hardware's weighted four
 
@@ -106,48 +110,48 @@ float compare(vec3 at, vec2 slope, float layer) {
   return lit / float(u_kernel * u_kernel);
 }
 
-float lit_by(mat4 map, vec4 q, float layer, vec3 normal) {
-  vec2 slope = depth_slope(map, q);
+float lit_by(int i, vec3 normal) {
+  mat4 map = u_map_from_local[i];
+  vec4 q = v_in_map[i];
+  vec2 slope = depth_slope(i);
   vec4 shifted = map * vec4(lookup_place(map, q, normal, slope), 1.0);
   if (shifted.w <= 0.0) return 1.0;  // shifted past the light
   vec3 at = 0.5 * shifted.xyz / shifted.w + 0.5;
-  return compare(at, at.z <= 1.0 ? slope : vec2(0.0), layer);
+  return compare(at, at.z <= 1.0 ? slope : vec2(0.0), float(i));
 }
 #else
 // The texel's depth was taken at its centre: the reference comes nearer (or stays) by as much as the surface's plane does there.
 // Without it, curved surfaces shadow themselves where the light grazes them, since a caster's bias knows only its own triangle's slope.
-float lit_by(mat4 map, vec4 q, float layer, vec3 normal) {
-  vec3 at = 0.5 * q.xyz / q.w + 0.5;
+float lit_by(int i, vec3 normal) {
+  vec3 at = 0.5 * v_in_map[i].xyz / v_in_map[i].w + 0.5;
   float side = float(textureSize(u_map, 0).x);
   vec2 texels = at.xy * side, to_centre = (floor(texels) + 0.5 - texels) / side;
   // Beyond the map's far end: anything in it is nearer to the light, and no surface can shadow itself.
-  if (at.z <= 1.0) at.z += min(dot(depth_slope(map, q), to_centre), 0.0) * u_receiver_bias;
-  return texture(u_map, vec4(at.xy, layer, clamp(at.z, 0.0, 1.0)));
+  if (at.z <= 1.0) at.z += min(dot(depth_slope(i), to_centre), 0.0) * u_receiver_bias;
+  return texture(u_map, vec4(at.xy, float(i), clamp(at.z, 0.0, 1.0)));
 }
 #endif
 
 // What one map says: 1 where it does not hold the point.
-float lit_in(mat4 map, float layer, vec3 normal) {
-  vec4 q = map * vec4(v_position, 1.0);
+float lit_in(int i, vec3 normal) {
+  vec4 q = v_in_map[i];
   // A little wider than the map, so that nothing falls between two of six.
   if (!(q.w > 0.0 && max(abs(q.x), abs(q.y)) <= 1.00001 * q.w)) return 1.0;
   g_outside_map = false;
-  return lit_by(map, q, layer, normal);
+  return lit_by(i, normal);
 }
 
 // Lit if all maps that hold the point say so: one map, the one of six that looks its way, or the two of psm_two_maps, of which the
 // second lies wholly between the light and every receiver.
 float shadow_test(vec3 normal) {
-  g_outside_map = u_map_count > 0;  // where no map was drawn nothing casts a shadow: that is an answer, too
-  if (u_map_count == 0) return 1.0;
-#ifdef ONE_MAP
-  return lit_in(u_map_from_local[0], 0.0, normal);
-#else
   float lit = 1.0;
-  for (int i = 0; i < u_map_count; ++i) lit = min(lit, lit_in(u_map_from_local[i], float(i), normal));
+  g_outside_map = true;
+  for (int i = 0; i < MAPS; ++i) lit = min(lit, lit_in(i, normal));
   return lit;
-#endif
 }
+#else
+float shadow_test(vec3 normal) { return 1.0; }  // nothing casts a shadow: that is an answer, too
+#endif
 
 float direct_light(vec3 normal) {
   vec3 to_light = direction_to_light();
@@ -190,8 +194,12 @@ void main() {
   if (fade >= 1.0) discard;
 #endif
 
-  g_along_x = u_has_surface ? dFdx(v_position) : vec3(0.0);
-  g_along_y = u_has_surface ? dFdy(v_position) : vec3(0.0);
+#ifdef MAPS
+  for (int i = 0; i < MAPS; ++i) {
+    g_along_x[i] = u_has_surface ? dFdx(v_in_map[i]) : vec4(0.0);
+    g_along_y[i] = u_has_surface ? dFdy(v_in_map[i]) : vec4(0.0);
+  }
+#endif
   vec3 normal = v_normal / max(length(v_normal), 1e-20) * (gl_FrontFacing ? 1.0 : -1.0);
 #ifdef VERDICT
   float lit = shadow_test(normal);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// MAPS: how many shadow maps there are; not defined without any.
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec2 a_texcoord;
@@ -10,6 +11,10 @@ out vec3 v_position;
 out vec3 v_normal;
 out vec2 v_texcoord;
 out vec4 v_color;
+#ifdef MAPS
+uniform mat4 u_map_from_local[MAPS];
+out vec4 v_in_map[MAPS];
+#endif
 
 invariant gl_Position;  // the same in all programs: what is drawn over a surface meets its depth
 
@@ -20,4 +25,7 @@ void main() {
   v_normal = a_normal;
   v_texcoord = a_texcoord;
   v_color = a_color;
+#ifdef MAPS
+  for (int i = 0; i < MAPS; ++i) v_in_map[i] = u_map_from_local[i] * vec4(a_position, 1.0);
+#endif
 }

@@ -25,6 +25,7 @@ struct Rect {
 
 struct Segment2 {
   glm::dvec2 a, b;
+  Rect box() const { return {glm::min(a, b), glm::max(a, b)}; }
 };
 
 struct Candidate {
@@ -128,7 +129,9 @@ class Placer {
     const Rect plate = candidate.text.grown(margin());
     const Segment2 leader{pending.anchor, plate.nearest(pending.anchor)};
     double sum = candidate.distance / rings[0];
-    for (const Segment2& line : lines_) sum += 0.9 * crosses(line, plate) + 0.15 * crosses(line, leader);
+    const Rect reach{glm::min(plate.min, pending.anchor), glm::max(plate.max, pending.anchor)};
+    for (const Segment2& line : lines_)
+      if (reach.overlaps(line.box())) sum += 0.9 * crosses(line, plate) + 0.15 * crosses(line, leader);
     for (const Segment2& other : leaders_) sum += 6.0 * crosses(other, leader) + 6.0 * crosses(other, plate);
     for (const glm::dvec2& other : anchors_) sum += 2.0 * (other != pending.anchor && plate.contains(other));
     for (const Rect& other : plates_) sum += 6.0 * crosses(leader, other);

@@ -91,7 +91,6 @@ void set_uniforms(Program& program, const SceneUniforms& values) {
   program.set("u_spot_cosines", values.spot_cosines);
   program.set("u_light", values.light);
   program.set("u_map_from_local", values.maps_from_local);
-  program.set("u_map_count", int(values.maps_from_local.size()));
   program.set("u_texture", 0);
   program.set("u_map", 1);
 }
@@ -232,7 +231,7 @@ ScenePass::Shading ScenePass::lit(const Analysis& analysis, const ShadowPass& ma
   const bool filtered = shadow.filter == Filter::hardware || (shadow.filter == Filter::pcf && shadow.filter_size > 1);
   Shading shading{"scene", defines, {}};
   if (filtered || shadow.normal_bias != 0.0 || shadow.constant_bias() != 0.0) shading.defines += "#define LOOKUP\n";
-  if (map.layers() <= 1) shading.defines += "#define ONE_MAP\n";
+  if (map.layers() > 0) shading.defines += "#define MAPS " + std::to_string(map.layers()) + "\n";
   if (analysis.light.w == 0.0) shading.defines += "#define SUN\n";
   return shading;
 }
