@@ -79,6 +79,11 @@ ConvexBody box_body(const glm::dvec3& min, const glm::dvec3& max) {
 }
 
 ConvexBody clip(const ConvexBody& body, std::span<const Plane> planes) {
+  if (planes.empty()) {
+    ConvexBody same = body;
+    same.decisions = {};
+    return same;
+  }
   SimplePolytope polytope(body.planes, body.corners);
   for (const Plane& p : planes) polytope.cut(p);
   return polytope.to_body();

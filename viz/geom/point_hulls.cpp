@@ -36,6 +36,8 @@ dvec3 farthest_point(const dvec3& normal, std::span<const dvec3> points, const d
   return best;
 }
 
+dvec3 largest(const dvec3& min, const dvec3& max) { return glm::max(glm::abs(min), glm::abs(max)); }
+
 Set bounded(std::span<const dvec3> points) {
   Set set{dvec3(HUGE_VAL), dvec3(-HUGE_VAL), {}};
   for (const dvec3& p : points) {
@@ -50,7 +52,7 @@ void add_normal(PointHulls& hulls, std::span<const std::span<const dvec3>> point
   for (std::size_t i = 0; i < points.size(); ++i) {
     Set& set = hulls.sets[i];
     if (points[i].empty()) continue;
-    set.farthest.push_back(farthest_point(normal, points[i], glm::max(glm::abs(set.min), glm::abs(set.max))));
+    set.farthest.push_back(farthest_point(normal, points[i], largest(set.min, set.max)));
   }
 }
 
@@ -134,14 +136,12 @@ ConvexBody hull_body(const PointHulls& hulls, std::span<const int> chosen) {
     min = glm::min(min, set.min);
     max = glm::max(max, set.max);
   }
+  std::vector<dvec3> ends;
   for (std::size_t k = 0; k < hulls.normals.size(); ++k) {
-    const dvec3* best = nullptr;
-    for (const int i : chosen) {
-      const Set& set = hulls.sets[i];
-      if (set.farthest.empty()) continue;
-      if (!best || farther(hulls.normals[k], set.farthest[k], *best)) best = &set.farthest[k];
-    }
-    if (best) planes.push_back(supporting(hulls.normals[k], *best));
+    ends.clear();
+    for (const int i : chosen)
+      if (!hulls.sets[i].empty()) ends.push_back(hulls.sets[i].farthest[k]);
+    if (!ends.empty()) planes.push_back(supporting(hulls.normals[k], farthest_point(hulls.normals[k], ends, largest(min, max))));
   }
   return clip(box_body(min, max), planes);
 }

@@ -2,6 +2,7 @@
 // What the stages of analyze() hand on to each other; private to viz/scene.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -22,19 +23,31 @@ struct Stages {
   const Experiment& x;
   const Scene& scene;
   ViewFrame view = {};
-  std::vector<Plane> view_planes = {};
-  ConvexBody lit_scene = {};  // S ∩ L
-  glm::dvec4 light{0};        // unit direction and 0, or position and 1
-  glm::dvec3 centroid{0};     // of R
-  double near = 1, far = 2;   // depth range that the technique uses
+  std::vector<Plane> view_planes = {}, view_hull = {};  // of V, of hull(V + l)
+  ConvexBody lit_scene = {};                            // S ∩ L
+  glm::dvec4 light{0};                                  // unit direction and 0, or position and 1
+  glm::dvec3 centroid{0};                               // of R
+  double near = 1, far = 2;                             // depth range that the technique uses
   LightFrame<double> frame = {};
   glm::dvec4 uniform{0};
   std::vector<SurfacePoint> served = {};                    // visible points that face the light; empty where nobody gave any
   bool light_in_scene = false, light_in_receivers = false;  // a position inside S, inside R
 };
 
-/// S, in the grain that the experiment asks for or the scene needs.
-void set_scene_body(const Stages& s, Analysis& a);
+/// Of planes all of which hold the point. Closed, and exact: a light on a face is inside.
+inline bool contains(std::span<const Plane> planes, const glm::dvec4& point) {
+  return std::all_of(planes.begin(), planes.end(), [&](const Plane& p) { return exact_side(p, point) >= 0; });
+}
+
+/// S and what the light's planes and the camera's leave of it.
+struct SceneBodies {
+  ConvexBody scene, lit, receivers;  // S, S ∩ L, R
+  std::vector<Plane> light_planes;
+  double light_near = 0;  // where a spot's cone starts
+};
+
+/// In the grain that the experiment asks for or the scene needs.
+SceneBodies scene_bodies(const Stages& s, Analysis& a);
 
 /// The vanishing plane that a technique chooses; sets technique_used and everything the technique has to say.
 glm::dvec4 technique_plane(Technique technique, Stages& s, Analysis& a, std::span<const glm::dvec3> receivers);

@@ -45,24 +45,6 @@ void set_light_case(Stages& s, Analysis& a) {
   out.within_half_texel = std::abs(out.kappa) < 0.5 / s.x.shadow.resolution;
 }
 
-/// Closed, and exact: a light on a face is inside.
-bool contains(std::span<const Plane> planes, const dvec4& point) {
-  return std::all_of(planes.begin(), planes.end(), [&](const Plane& p) { return exact_side(p, point) >= 0; });
-}
-
-/// Where a spot stands inside S its pyramid starts at a named near distance, so that the light is not one of its own receivers.
-std::vector<Plane> light_planes_outside(const Stages& s, Analysis& a) {
-  const LightSettings& l = s.x.light;
-  if (l.type != LightType::spot) return {};
-  const ViewFrame spot = spot_frame(l);
-  if (!contains(a.scene_body.planes, s.light)) return pyramid_planes(spot);
-  double reach = 0;
-  for (const dvec3& v : a.scene_body.vertices) reach = std::max(reach, spot.depth(v));
-  const double near = 1e-3 * reach;
-  note(a, "light_near_distance", "The light stands inside the scene: its cone starts at a near distance.", near);
-  return pyramid_planes(spot, near);
-}
-
 /// A body that stands in for the receivers where nothing is visible, so that every matrix stays finite.
 ConvexBody stand_in(const Stages& s, const Analysis& a) {
   if (s.light.w == 0) return a.scene_body;
@@ -76,16 +58,18 @@ ConvexBody stand_in(const Stages& s, const Analysis& a) {
 }
 
 void set_bodies(Stages& s, Analysis& a) {
-  set_scene_body(s, a);
-  const std::vector<Plane> light_planes = light_planes_outside(s, a);
-  s.lit_scene = clip(a.scene_body, light_planes);
-  a.receivers_body = clip(s.lit_scene, s.view_planes);
+  s.view_hull = frustum_hull_with_light(s.view_planes, s.light);
+  SceneBodies bodies = scene_bodies(s, a);
+  if (bodies.light_near > 0)
+    note(a, "light_near_distance", "The light stands inside the scene: its cone starts at a near distance.", bodies.light_near);
   a.light_case.inside_frustum = s.light.w != 0 && contains(s.view_planes, s.light);
-  a.caster_body = clip(s.lit_scene, frustum_hull_with_light(s.view, s.x.camera.near, s.x.camera.far, s.light));
-  const bool in_scene = s.light.w != 0 && contains(a.scene_body.planes, s.light);
-  s.light_in_scene = in_scene;
-  s.light_in_receivers = in_scene && a.light_case.inside_frustum && contains(light_planes, s.light);
+  s.light_in_scene = s.light.w != 0 && contains(bodies.scene.planes, s.light);
+  s.light_in_receivers = s.light_in_scene && a.light_case.inside_frustum && contains(bodies.light_planes, s.light);
   a.light_case.inside_receivers = s.light_in_receivers;
+  a.scene_body = std::move(bodies.scene);
+  s.lit_scene = std::move(bodies.lit);
+  a.receivers_body = std::move(bodies.receivers);
+  a.caster_body = clip(s.lit_scene, s.view_hull);
 }
 
 void set_depth_range(Stages& s, Analysis& a, const ConvexBody& receivers) {

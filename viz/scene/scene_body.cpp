@@ -12,13 +12,31 @@ namespace {
 /// spent on. (R's volume tells little: above a wide ground the hull halves it and leaves the window as it was.)
 constexpr double kWorthwhile = 0.9;
 
-std::vector<Plane> whole_cone(const LightSettings& l) {
-  return l.type == LightType::spot ? pyramid_planes(spot_frame(l)) : std::vector<Plane>();
+/// Where a spot stands inside S its pyramid starts at a named near distance, so that the light is not one of its own receivers.
+std::vector<Plane> light_planes(const Stages& s, const ConvexBody& scene, double& near) {
+  if (s.x.light.type != LightType::spot) return {};
+  const ViewFrame spot = spot_frame(s.x.light);
+  if (contains(scene.planes, s.light)) {
+    double reach = 0;
+    for (const glm::dvec3& v : scene.vertices) reach = std::max(reach, spot.depth(v));
+    near = 1e-3 * reach;
+  }
+  return pyramid_planes(spot, near);
 }
 
-/// The meshes that reach into hull(V + l) ∩ box ∩ L. One wholly outside neither shows nor shades what shows.
-std::vector<int> casters_that_matter(const Stages& s, const ConvexBody& lit_box) {
-  const ConvexBody reach = clip(lit_box, frustum_hull_with_light(s.view_planes, s.light));
+SceneBodies bodies_of(const Stages& s, ConvexBody scene) {
+  SceneBodies b;
+  b.light_planes = light_planes(s, scene, b.light_near);
+  b.lit = clip(scene, b.light_planes);
+  b.receivers = clip(b.lit, s.view_planes);
+  b.scene = std::move(scene);
+  return b;
+}
+
+/// The meshes that reach into hull(V + l) ∩ box ∩ L, from the light on. One wholly outside neither shows nor shades what shows.
+std::vector<int> casters_that_matter(const Stages& s, const SceneBodies& box) {
+  const ConvexBody from_light = box.light_near > 0 ? clip(box.scene, pyramid_planes(spot_frame(s.x.light))) : box.lit;
+  const ConvexBody reach = clip(from_light, s.view_hull);
   std::vector<int> chosen;
   const auto& sets = s.scene.hulls.sets;
   for (std::size_t i = 0; i < sets.size(); ++i)
@@ -50,30 +68,32 @@ std::string percent(double fraction) { return number_text(std::round(1000 * frac
 
 }  // namespace
 
-void set_scene_body(const Stages& s, Analysis& a) {
+SceneBodies scene_bodies(const Stages& s, Analysis& a) {
   Bounds b = s.scene.bounds;
   if (b.empty()) b.min = b.max = s.view.at(0, 0, s.x.camera.near);
-  a.scene_body = box_body(b.min, b.max);
+  SceneBodies box = bodies_of(s, box_body(b.min, b.max));
   const SceneBody asked = s.x.shadow.scene_body;
-  if (asked == SceneBody::box) return;
-  const std::vector<Plane> cone = whole_cone(s.x.light);
-  const ConvexBody lit_box = clip(a.scene_body, cone);
-  const std::vector<int> casters = casters_that_matter(s, lit_box);
-  if (casters.empty()) return note(a, "scene_body_box", "S is the scene's box: no caster can matter.");
-  ConvexBody hull = hull_body(s.scene.hulls, casters);
-  const double left = part_left(s, clip(lit_box, s.view_planes), clip(clip(hull, cone), s.view_planes));
+  if (asked == SceneBody::box) return box;
+  const std::vector<int> casters = casters_that_matter(s, box);
+  if (casters.empty()) {
+    note(a, "scene_body_box", "S is the scene's box: no caster can matter.");
+    return box;
+  }
+  SceneBodies hull = bodies_of(s, hull_body(s.scene.hulls, casters));
+  const double left = part_left(s, box.receivers, hull.receivers);
   const std::optional<double> limit = asked == SceneBody::automatic ? std::optional(kWorthwhile) : std::nullopt;
-  if (limit && left > *limit)
-    return note(a, "scene_body_box",
-                "S is the scene's box: the hull would leave " + percent(left) + " of R's area as the light sees it.", left,
-                limit);
+  if (limit && left > *limit) {
+    note(a, "scene_body_box",
+         "S is the scene's box: the hull would leave " + percent(left) + " of R's area as the light sees it.", left, limit);
+    return box;
+  }
   note(a, "scene_body_hull",
        "S is a hull of the " + std::to_string(casters.size()) + " of " + std::to_string(s.scene.meshes.size()) +
-           " meshes that can matter, with " + std::to_string(hull.facets.size()) + " facets: it leaves " + percent(left) +
+           " meshes that can matter, with " + std::to_string(hull.scene.facets.size()) + " facets: it leaves " + percent(left) +
            " of R's area as the light sees it.",
        left, limit);
-  a.scene_body = std::move(hull);
   a.scene_body_used = SceneBody::hull;
+  return hull;
 }
 
 }  // namespace psm
