@@ -82,7 +82,7 @@ struct SheetPainter::State {
     if (panel.view == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay))
       traced = trace_overlay(renderer, *tracer, analysis, kAllPixels);
     const ViewExtras extras{panel.emphasis, probe ? &*probe : nullptr, traced ? &*traced : nullptr, is_split(panel)};
-    ViewPicture picture = describe_view(panel.view, analysis, loaded->scene, panel.size, sheet.scale, extras);
+    ViewPicture picture = describe_view(panel.view, analysis, panel.size, sheet.scale, extras);
     if (panel.title) picture.title = *panel.title;
     return picture;
   }

@@ -166,18 +166,18 @@ double median(std::vector<double> values) {
 using Times = std::array<std::vector<double>, 9>;
 constexpr std::array<const char*, 9> kParts{"map", "world", "cube", "mapview", "eye", "frame", "bare", "bare_lit", "own"};
 
-std::array<ViewPicture, 4> described(const Analysis& analysis, const Scene& scene) {
+std::array<ViewPicture, 4> described(const Analysis& analysis) {
   std::array<ViewPicture, 4> pictures;
-  for (ViewId id : kMainViews) pictures[std::size_t(id)] = describe_view(id, analysis, scene, kSize);
+  for (ViewId id : kMainViews) pictures[std::size_t(id)] = describe_view(id, analysis, kSize);
   return pictures;
 }
 
-double frame(Renderer& renderer, const Analysis& analysis, const Scene& scene, const PassTimer& timer) {
+double frame(Renderer& renderer, const Analysis& analysis, const PassTimer& timer) {
   return timer
              .time([&] {
                renderer.draw_shadow_map(analysis);
                for (ViewId id : kMainViews)
-                 renderer.draw_view(describe_view(id, analysis, scene, kSize), analysis, kSize, 1.0, Theme::light);
+                 renderer.draw_view(describe_view(id, analysis, kSize), analysis, kSize, 1.0, Theme::light);
              })
              .wall *
          1e3;
@@ -196,10 +196,10 @@ double shaded(Renderer& renderer, const Analysis& analysis, std::array<ViewPictu
 }
 
 /// Each part by itself, waited for: more than their share of a frame in which they overlap.
-void time_parts(Renderer& renderer, const Analysis& analysis, const Scene& scene, const PassTimer& timer, Times& times) {
+void time_parts(Renderer& renderer, const Analysis& analysis, const PassTimer& timer, Times& times) {
   times[0].push_back(timer.time([&] { renderer.draw_shadow_map(analysis); }).wall * 1e3);
   for (ViewId id : kMainViews) {
-    const auto view = [&] { renderer.draw_view(describe_view(id, analysis, scene, kSize), analysis, kSize, 1.0, Theme::light); };
+    const auto view = [&] { renderer.draw_view(describe_view(id, analysis, kSize), analysis, kSize, 1.0, Theme::light); };
     times[1 + std::size_t(id)].push_back(timer.time(view).wall * 1e3);
   }
 }
@@ -215,18 +215,18 @@ void four_views(benchmark::State& state, const std::string& id) {
   renderer.set_scene(scene);
   Bare bare(scene, x.shadow.resolution);
   const PassTimer timer;
-  const auto pictures = described(analysis, scene);
-  frame(renderer, analysis, scene, timer);  // shaders compile, glyphs are drawn
+  const auto pictures = described(analysis);
+  frame(renderer, analysis, timer);  // shaders compile, glyphs are drawn
   Times times;
   for (auto _ : state) {
-    times[5].push_back(frame(renderer, analysis, scene, timer));
+    times[5].push_back(frame(renderer, analysis, timer));
     gl::reset_state();
     times[6].push_back(timer.time([&] { bare.draw(analysis, pictures, false); }).wall * 1e3);
     gl::reset_state();
     times[7].push_back(timer.time([&] { bare.draw(analysis, pictures, true); }).wall * 1e3);
     gl::reset_state();
     times[8].push_back(shaded(renderer, analysis, pictures, timer));
-    time_parts(renderer, analysis, scene, timer, times);
+    time_parts(renderer, analysis, timer, times);
     state.SetIterationTime(times[5].back() * 1e-3);
   }
   for (std::size_t i = 0; i < kParts.size(); ++i) state.counters[kParts[i]] = median(times[i]);

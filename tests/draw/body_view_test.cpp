@@ -19,7 +19,7 @@ Analysis analysis_of(const std::vector<std::string>& overrides) {
   return analyze(loaded->experiment, loaded->scene);
 }
 
-ViewPicture body_picture(const Analysis& analysis) { return describe_view(ViewId::body, analysis, {}, {800, 600}); }
+ViewPicture body_picture(const Analysis& analysis) { return describe_view(ViewId::body, analysis, {800, 600}); }
 
 bool shows(const ViewPicture& picture, Role role) {
   return std::any_of(picture.list.lines.begin(), picture.list.lines.end(), [&](const DrawLine& l) { return l.role == role; });

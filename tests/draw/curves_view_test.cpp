@@ -21,7 +21,7 @@ constexpr glm::ivec2 kSize(900, 600);
 ViewPicture curves_of(const std::vector<std::string>& overrides, glm::ivec2 size = kSize, double scale = 1.0) {
   const auto loaded = load_experiment("ground", overrides);
   EXPECT_TRUE(loaded) << loaded.error().text;
-  return describe_view(ViewId::curves, analyze(loaded->experiment, loaded->scene), loaded->scene, size, scale);
+  return describe_view(ViewId::curves, analyze(loaded->experiment, loaded->scene), size, scale);
 }
 
 std::string kind_text(CurveKind kind) {
@@ -59,7 +59,7 @@ TEST(CurvesView, StaysOnItsPageWhateverTheExperiment) {
 TEST(CurvesView, TheCursorStandsAtTheLightsAngle) {
   const auto loaded = load_experiment("ground", {});
   const Analysis a = analyze(loaded->experiment, loaded->scene);
-  const ViewPicture picture = describe_view(ViewId::curves, a, loaded->scene, kSize);
+  const ViewPicture picture = describe_view(ViewId::curves, a, kSize);
   ASSERT_TRUE(picture.chart);
   const double x = picture.chart->x.at(folded(curve_setting(a).theta_deg));
   EXPECT_TRUE(std::any_of(picture.list.lines.begin(), picture.list.lines.end(), [&](const DrawLine& l) {

@@ -94,7 +94,7 @@ TEST(ExplorerMap, RegionsAreTheAnalysissCases) {
 TEST(ExplorerView, HasTheLightAsItsHandle) {
   for (const char* type : {"light.type=directional", "light.type=point", "light.type=spot"}) {
     const Case c = with({type});
-    const ViewPicture picture = describe_view(ViewId::explorer, c.analysis, c.loaded.scene, glm::ivec2(kPage));
+    const ViewPicture picture = describe_view(ViewId::explorer, c.analysis, glm::ivec2(kPage));
     const ExplorerMap map = explorer_map(c.analysis, kPage);
     const glm::dvec2 at = map.clamped(map.page_of(c.analysis));
     EXPECT_TRUE(std::any_of(picture.list.points.begin(), picture.list.points.end(), [&](const DrawPoint& p) {
@@ -110,7 +110,7 @@ TEST(ExplorerView, NoTextOfASliceIsCutOrStandsOverAnother) {
   for (const char* slice : {"view.explorer_slice=side", "view.explorer_slice=above"})
     for (const glm::ivec2 size : {glm::ivec2(320, 240), glm::ivec2(300, 500), glm::ivec2(480, 270), glm::ivec2(900, 260)}) {
       const Case c = with({"light.type=point", slice});
-      const ViewPicture picture = describe_view(ViewId::explorer, c.analysis, c.loaded.scene, size);
+      const ViewPicture picture = describe_view(ViewId::explorer, c.analysis, size);
       const auto texts = testing::texts_on(picture, size);
       testing::expect_readable(texts, size, slice);
       EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [](const TextBox& t) { return t.text.starts_with("R: "); }));
@@ -124,7 +124,7 @@ TEST(ExplorerView, IsFiniteWhateverTheExperiment) {
       const Case c = with(
           {type, std::string(type) == "light.type=point" && std::string(other).starts_with("light.") ? "view.curve=rho" : other});
       for (const glm::ivec2 size : {glm::ivec2(900, 600), glm::ivec2(320, 200), glm::ivec2(8, 8)}) {
-        const ViewPicture picture = describe_view(ViewId::explorer, c.analysis, c.loaded.scene, size);
+        const ViewPicture picture = describe_view(ViewId::explorer, c.analysis, size);
         for (const DrawLine& line : picture.list.lines)
           for (const glm::dvec4& p : {line.a, line.b}) ASSERT_TRUE(std::isfinite(p.x + p.y)) << other;
         for (const DrawText& text : picture.list.texts) ASSERT_TRUE(std::isfinite(text.position.x + text.position.y)) << other;

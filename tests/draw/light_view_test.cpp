@@ -13,7 +13,7 @@ ViewPicture light_view(const std::vector<std::string>& overrides, Analysis& anal
   EXPECT_TRUE(loaded);
   loaded->experiment.view.map_shows = MapShows::scene;
   analysis = analyze(loaded->experiment, loaded->scene);
-  return describe_view(ViewId::map, analysis, loaded->scene, {640, 480});
+  return describe_view(ViewId::map, analysis, {640, 480});
 }
 
 glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3(p) / p.w; }

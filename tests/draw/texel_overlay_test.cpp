@@ -69,7 +69,7 @@ TEST(HeatLegend, NamesEachBandAndTheNumbers) {
 TEST(TexelOverlay, TheHeatMapIsTheEyesAlone) {
   const Analysis a = analyze(with(EyeOverlay::anisotropy), kRoom);
   for (const ViewId id : kMainViews) {
-    const ViewPicture picture = describe_view(id, a, kRoom, {800, 600});
+    const ViewPicture picture = describe_view(id, a, {800, 600});
     EXPECT_EQ(picture.overlay, id == ViewId::eye ? EyeOverlay::anisotropy : EyeOverlay::none);
     EXPECT_EQ(picture.legend.empty(), id != ViewId::eye);
     EXPECT_EQ(picture.texel_step, 0);
@@ -79,7 +79,7 @@ TEST(TexelOverlay, TheHeatMapIsTheEyesAlone) {
 TEST(TexelOverlay, TheGridSaysHowDenseItIs) {
   const Analysis a = analyze(with(EyeOverlay::none, true), kRoom);
   for (const ViewId id : kAllViews) {
-    const ViewPicture picture = describe_view(id, a, kRoom, {800, 600});
+    const ViewPicture picture = describe_view(id, a, {800, 600});
     if (id != ViewId::eye && id != ViewId::world && id != ViewId::cube) {
       EXPECT_EQ(picture.texel_step, 0);
       continue;
@@ -123,7 +123,7 @@ TEST(TexelOverlay, NothingVisibleHasNoGrid) {
   e.camera.target = {0, 10, 40};
   const Analysis a = analyze(e, kRoom);
   ASSERT_TRUE(a.receivers_body.empty());
-  for (const ViewId id : kAllViews) EXPECT_EQ(describe_view(id, a, kRoom, {640, 480}).texel_step, 0);
+  for (const ViewId id : kAllViews) EXPECT_EQ(describe_view(id, a, {640, 480}).texel_step, 0);
 }
 
 }  // namespace

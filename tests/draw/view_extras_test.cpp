@@ -22,7 +22,7 @@ Analysis analysis_with(EyeOverlay overlay) {
 }
 
 ViewPicture world(const Analysis& analysis, const ViewExtras& extras) {
-  return describe_view(ViewId::world, analysis, kRoom, kSize, 1.0, extras);
+  return describe_view(ViewId::world, analysis, kSize, 1.0, extras);
 }
 
 std::size_t lines_of(const ViewPicture& picture, Role role) {
@@ -65,7 +65,7 @@ TEST(ViewExtras, LeaveTheProbeAsStrongAsItIs) {
 TEST(ViewExtras, SayInTheEyeViewAloneThatRaysAreToCome) {
   const Analysis analysis = analysis_with(EyeOverlay::errors);
   const TracedOverlay traced{{1, 1, {1, 2, 3, 255}}, {"errors", {}, {"12 of 100"}}};
-  const auto eye = [&](const ViewExtras& extras) { return describe_view(ViewId::eye, analysis, kRoom, kSize, 1.0, extras); };
+  const auto eye = [&](const ViewExtras& extras) { return describe_view(ViewId::eye, analysis, kSize, 1.0, extras); };
   EXPECT_THAT(eye({}).legend.lines, testing::ElementsAre("traced when nothing moves"));
   EXPECT_FALSE(eye({}).cover);
   EXPECT_TRUE(world(analysis, {}).legend.empty());
@@ -79,7 +79,7 @@ TEST(ViewExtras, SayInTheEyeViewAloneThatRaysAreToCome) {
 TEST(ViewExtras, LeaveNoNumbersToALineThatWouldDivideThem) {
   const Analysis analysis = analysis_with(EyeOverlay::errors);
   const TracedOverlay traced{{1, 1, {1, 2, 3, 255}}, {"errors", {}, {"12 of 100"}}};
-  const ViewPicture shown = describe_view(ViewId::eye, analysis, kRoom, kSize, 1.0, {{}, nullptr, &traced, true});
+  const ViewPicture shown = describe_view(ViewId::eye, analysis, kSize, 1.0, {{}, nullptr, &traced, true});
   EXPECT_TRUE(shown.legend.lines.empty());
   EXPECT_EQ(shown.legend.title, "errors");
 }

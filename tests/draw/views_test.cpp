@@ -21,7 +21,7 @@ constexpr ViewId kViews[] = {ViewId::world, ViewId::cube, ViewId::map, ViewId::e
 const Scene kRoom = box_scene({-5, 0, -5}, {5, 2, 5});
 
 ViewPicture view_of(ViewId id, const Experiment& e, const Scene& scene = kRoom, ivec2 size = {800, 600}) {
-  return describe_view(id, analyze(e, scene), scene, size);
+  return describe_view(id, analyze(e, scene), size);
 }
 
 Experiment experiment_with(LightType type) {
@@ -93,7 +93,7 @@ TEST(WorldView, TheVanishingPlaneIsDrawnOnThePlane) {
   e.shadow.technique = Technique::uniform;
   const Analysis a = analyze(e, kRoom);
   ASSERT_TRUE(a.vanishing_plane);
-  const DrawList list = describe_view(ViewId::world, a, kRoom, {800, 600}).list;
+  const DrawList list = describe_view(ViewId::world, a, {800, 600}).list;
   ASSERT_TRUE(has_fill(list, Role::vanishing_plane));
   EXPECT_EQ(label_starting(list, "vanishing"), "vanishing plane c = 0");
   const double norm = glm::length(dvec3(*a.vanishing_plane));
@@ -113,7 +113,7 @@ TEST(WorldView, RaysEndOnTheReceiversAndComeFromTheLight) {
   for (LightType type : {LightType::directional, LightType::point}) {
     const Analysis a = analyze(experiment_with(type), kRoom);
     int rays = 0;
-    for (const DrawLine& l : describe_view(ViewId::world, a, kRoom, {800, 600}).list.lines) {
+    for (const DrawLine& l : describe_view(ViewId::world, a, {800, 600}).list.lines) {
       if (l.role != Role::light || !l.arrow) continue;
       ++rays;
       const dvec3 travel = glm::normalize(dvec3(l.b) - dvec3(l.a));
@@ -182,7 +182,7 @@ TEST(CubeView, RaysOfAnInvertedLightConvergeOnIt) {
   const dvec4 l = a.clip_from_world() * a.light;
   const dvec3 light = dvec3(l) / l.w;
   int arriving = 0;
-  for (const DrawLine& line : describe_view(ViewId::cube, a, kRoom, {800, 600}).list.lines) {
+  for (const DrawLine& line : describe_view(ViewId::cube, a, {800, 600}).list.lines) {
     if (line.role != Role::light || !line.arrow || line.style == LineStyle::dashed) continue;
     const dvec3 end(line.b), travel = glm::normalize(end - dvec3(line.a));
     if (glm::any(glm::greaterThan(glm::abs(end), dvec3(1.0 + 1e-9)))) continue;  // the pieces that leave
@@ -205,7 +205,7 @@ TEST(CubeView, ShowsTheShiftedSpace) {
     const glm::dvec4 q = a.cube_from_world * p;
     for (int i = 0; i < 3; ++i) EXPECT_LE(std::abs(q[i] / q.w), 1.0 + 1e-12);
   }
-  const ViewPicture picture = describe_view(ViewId::cube, a, kRoom, {800, 600});
+  const ViewPicture picture = describe_view(ViewId::cube, a, {800, 600});
   EXPECT_NE(picture.title.find("moved back"), std::string::npos);
   EXPECT_EQ(picture.cube_from_world, a.cube_from_world);
 }
@@ -256,7 +256,7 @@ TEST(MapView, SixMapsAreAContactSheet) {
   e.light.position = {0, 1, 0};
   const Analysis a = analyze(e, kRoom);
   ASSERT_TRUE(a.cube_maps_from_world);
-  const ViewPicture picture = describe_view(ViewId::map, a, kRoom, {900, 600});
+  const ViewPicture picture = describe_view(ViewId::map, a, {900, 600});
   EXPECT_THAT(picture.title, HasSubstr("Six maps of 90°"));
   ASSERT_EQ(picture.list.labels.size(), 6u);
   EXPECT_EQ(picture.list.labels[4].text, "+z");
@@ -343,7 +343,7 @@ void expect_clean_views(const Experiment& e, const std::string& what) {
   for (std::size_t s = 0; s < scenes.size(); ++s) {
     const Analysis a = analyze(e, scenes[s]);
     for (ViewId id : kViews)
-      expect_clean(describe_view(id, a, scenes[s], {640, 480}), what + ", scene " + std::to_string(s) + ", view " + name_of(id));
+      expect_clean(describe_view(id, a, {640, 480}), what + ", scene " + std::to_string(s) + ", view " + name_of(id));
     EXPECT_THAT(light_case_text(a), testing::Not(HasSubstr("nan"))) << what;
   }
 }
@@ -394,13 +394,13 @@ TEST(HardViews, RandomExperimentsAtEveryScale) {
     e.shadow.technique = Technique(random() % 8);
     const Analysis a = analyze(e, scene);
     for (ViewId id : kViews)
-      expect_clean(describe_view(id, a, scene, {640, 480}), "random " + std::to_string(i) + ", view " + name_of(id));
+      expect_clean(describe_view(id, a, {640, 480}), "random " + std::to_string(i) + ", view " + name_of(id));
   }
 }
 
 TEST(HardViews, NothingAtAll) {
   const Analysis a;
-  for (ViewId id : kViews) expect_clean(describe_view(id, a, Scene{}, {0, 0}), name_of(id));
+  for (ViewId id : kViews) expect_clean(describe_view(id, a, {0, 0}), name_of(id));
 }
 
 }  // namespace

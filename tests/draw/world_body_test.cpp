@@ -13,7 +13,7 @@ namespace {
 DrawList world(const std::vector<std::string>& overrides) {
   const auto loaded = load_experiment("chessboard", overrides);
   EXPECT_TRUE(loaded) << loaded.error().text;
-  return describe_view(ViewId::world, analyze(loaded->experiment, loaded->scene), loaded->scene, {800, 600}).list;
+  return describe_view(ViewId::world, analyze(loaded->experiment, loaded->scene), {800, 600}).list;
 }
 
 bool reaches(const DrawList& list, const glm::dvec3& p) {

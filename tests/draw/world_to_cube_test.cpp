@@ -133,7 +133,7 @@ TEST_P(WorldToCubeCases, TheLightsSideOfInfinityChangesOnceAtMost) {
 TEST_P(WorldToCubeCases, AllThatIsDrawnIsFiniteAndWithinTheView) {
   for (double t : {0.0, 0.1, 0.5, 0.9, 1.0}) {
     const Analysis a = at_step(t);
-    const ViewPicture picture = describe_view(ViewId::cube, a, kRoom, {800, 600});
+    const ViewPicture picture = describe_view(ViewId::cube, a, {800, 600});
     EXPECT_EQ(picture.cube_from_world, world_to_cube(a).shown_from_world);
     for (const DrawLine& l : picture.list.lines)
       for (const dvec4& p : {l.a, l.b})

@@ -24,7 +24,7 @@ class TexelView : public GlTest {
   }
 
   Image eye(const Analysis& analysis) {
-    ViewPicture picture = describe_view(ViewId::eye, analysis, scene_, kSize);
+    ViewPicture picture = describe_view(ViewId::eye, analysis, kSize);
     picture.title.clear();
     picture.legend = {};
     picture.list = {};
@@ -144,7 +144,7 @@ TEST_P(TexelView, error_view_colours_each_wrong_pixel_and_counts_it) {
   EXPECT_EQ(glm::ivec2(quick.image.width, quick.image.height), glm::ivec2(160, 90));
 
   const TracedOverlay traced{view.image, error_legend(view)};
-  ViewPicture eye_view = describe_view(ViewId::eye, analysis, scene_, kSize, 1.0, {{}, nullptr, &traced});
+  ViewPicture eye_view = describe_view(ViewId::eye, analysis, kSize, 1.0, {{}, nullptr, &traced});
   EXPECT_EQ(std::ptrdiff_t(eye_view.legend.entries.size()),
             std::count_if(view.by_kind.begin(), view.by_kind.end(), [](std::size_t count) { return count > 0; }));
   eye_view.legend = {};
@@ -180,7 +180,7 @@ TEST_P(TexelView, legend_stays_on_the_picture) {
   experiment_.view.texel_grid = true;
   const Analysis analysis = analyze_with_statistics(experiment_, scene_, tracer_);
   ASSERT_TRUE(analysis.texels);
-  ViewPicture with = describe_view(ViewId::eye, analysis, scene_, kSize), without = with;
+  ViewPicture with = describe_view(ViewId::eye, analysis, kSize), without = with;
   without.legend = {};
   const Image a = draw(scene_, analysis, with, kSize), b = draw(scene_, analysis, without, kSize);
   for (int y = 0; y < kSize.y; ++y)

@@ -29,7 +29,7 @@ class TwoMaps : public GlTest {
   }
 
   Image eye_of(const Analysis& analysis) {
-    return draw(floor_and_plates(), analysis, describe_view(ViewId::eye, analysis, floor_and_plates(), {160, 120}), {160, 120});
+    return draw(floor_and_plates(), analysis, describe_view(ViewId::eye, analysis, {160, 120}), {160, 120});
   }
 
   static double differing(const Image& a, const Image& b) {

@@ -68,8 +68,7 @@ std::string map_remark(const Analysis& analysis) {
   return other.empty() || analysis.receivers_body.empty() ? "" : std::string(", ") + name_of(used) + other;
 }
 
-ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene&, glm::ivec2 size, double scale,
-                          const ViewExtras& extras) {
+ViewPicture describe_view(ViewId id, const Analysis& analysis, glm::ivec2 size, double scale, const ViewExtras& extras) {
   ViewPicture picture = describe(id, analysis, size, glm::dvec2(glm::max(size, glm::ivec2(1))) / scale);
   add_texel_overlay(picture, analysis, size);
   if (id == ViewId::map && analysis.experiment.view.map_shows == MapShows::scene) show_scene_in_map(picture, analysis);

@@ -67,7 +67,7 @@ struct ViewExtras {
 };
 
 /// Pure. `size` in pixels: its aspect decides the letterbox and the fit. `scale`: of type, for which plots leave room.
-ViewPicture describe_view(ViewId id, const Analysis& analysis, const Scene& scene, glm::ivec2 size, double scale = 1.0,
+ViewPicture describe_view(ViewId id, const Analysis& analysis, glm::ivec2 size, double scale = 1.0,
                           const ViewExtras& extras = {});
 
 /// The plane that the world view shows: the one in use, or technique custom's own where that could not be used.

@@ -111,7 +111,7 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
     if (!is_drawing(id)) upload(model, profile);
     profile.run(stage_of(id), [&] {
       const ViewExtras extras{emphasis_, nullptr, has_rays ? &*traced_ : nullptr, shown.compare && is_split(id, shown)};
-      view.picture = describe_view(id, analysis_, model.scene(), size, scale, extras);
+      view.picture = describe_view(id, analysis_, size, scale, extras);
       view.texture = renderer_.draw_view(view.picture, analysis_, size, scale, theme);
     });
     view.key = key;
