@@ -14,6 +14,7 @@
 #include <string>
 
 #include "app/assets.h"
+#include "app/progress.h"
 #include "app/window_picture.h"
 #include "figure/png.h"
 #include "scene/share_text.h"
@@ -85,12 +86,15 @@ GLFWmonitor* monitor_at(glm::ivec2 point) {
   return count > 0 ? monitors[0] : nullptr;
 }
 
+/// Seconds after which a wait looks whether a signal came, which GLFW sleeps through.
+constexpr double kSignalWait = 0.5;
+
 /// The window with everything in it. GLFW's callbacks find it by the window's user pointer.
 class App {
  public:
   App(GLFWwindow* window, const LoadedExperiment& loaded, const WindowStart& start);
   ~App() { ImGui_ImplGlfw_Shutdown(); }
-  void run();
+  std::optional<InputError> run();
   void present(bool on) { workbench_.present(on); }
 
  private:
@@ -99,6 +103,7 @@ class App {
   void wait();
   void ask_before_closing();
   void draw();
+  bool idle() const;
   void draw_or_rescue();
   void fill_screen_while_presenting();
   glm::dvec2 framebuffer_point(double x, double y) const;
@@ -200,13 +205,16 @@ void App::draw() {
   glfwSetWindowTitle(window_, title_.c_str());
 }
 
+bool App::idle() const {
+  return !workbench_.needs_redraw() && input_.empty() && !glfwWindowShouldClose(window_) && !Interruptible::asked();
+}
+
 void App::wait() {
   const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
-  if (minimised) return glfwWaitEvents();
-  if (workbench_.needs_redraw() || !input_.empty()) return glfwPollEvents();
-  if (std::isinf(workbench_.next_look())) return glfwWaitEvents();
+  if (!minimised && !idle()) return glfwPollEvents();
   const double due = glfwGetTime() + workbench_.next_look();
-  glfwWaitEventsTimeout(workbench_.next_look());
+  do glfwWaitEventsTimeout(std::clamp(due - glfwGetTime(), 0.0, kSignalWait));
+  while (idle() && glfwGetTime() < due);
   if (glfwGetTime() >= due) workbench_.look();
 }
 
@@ -239,14 +247,17 @@ void App::draw_or_rescue() {
   }
 }
 
-void App::run() {
-  while (!workbench_.wants_quit()) {
+std::optional<InputError> App::run() {
+  const Interruptible interruptible;  // what is being written must not stay in part
+  while (!workbench_.wants_quit() && !Interruptible::asked()) {
     wait();
     ask_before_closing();
     fill_screen_while_presenting();
     const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
     if (!minimised && (workbench_.needs_redraw() || !input_.empty())) draw_or_rescue();
   }
+  const auto lost = Interruptible::asked() ? workbench_.unsaved_text() : std::nullopt;
+  return lost ? std::optional(InputError{"interrupted; the experiment was " + *lost}) : std::nullopt;
 }
 
 }  // namespace
@@ -262,8 +273,7 @@ std::optional<InputError> run_window(const LoadedExperiment& loaded, const Windo
   glfwSwapInterval(1);
   App app(window.get(), loaded, start);
   app.present(start.present);
-  app.run();
-  return std::nullopt;
+  return app.run();
 }
 
 }  // namespace psm

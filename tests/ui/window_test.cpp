@@ -37,6 +37,7 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
+  void ask_to_end() const { kill(pid_, SIGTERM); }
   bool running() {
     if (!status_ && waitpid(pid_, &raw_, WNOHANG) == pid_) status_ = raw_;
     return !status_;
@@ -107,6 +108,14 @@ class WindowTest : public testing::Test {
   }
   void key(const std::string& name) { EXPECT_EQ(xdotool("key --clearmodifiers " + name), 0); }
 
+  void drag_the_sun();
+  void save_picture() {
+    key("p");
+    key("Return");
+    const auto picture = folder_.path() / "psmlab-ground-1.png";
+    EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(picture); })) << "P saves no picture";
+  }
+
   glm::ivec2 window_size() {
     xdotool("getwindowgeometry --shell " + window_, "geometry");
     const std::string text = text_of(folder_.path() / "geometry");
@@ -128,21 +137,22 @@ glm::ivec2 sun_pixel(glm::ivec2 size) {
   return world.min;
 }
 
-TEST_F(WindowTest, OpensAnswersSavesAndCloses) {
-  start_program("ground");
-  if (HasFatalFailure()) return;
+void WindowTest::drag_the_sun() {
   const glm::ivec2 sun = sun_pixel(window_size());
   const std::string at = std::to_string(sun.x) + " " + std::to_string(sun.y);
   EXPECT_EQ(xdotool("mousemove --window " + window_ + " " + at +
                     " mousedown 1 mousemove_relative -- -30 12 mousemove_relative -- -30 0 "
                     "mouseup 1"),
             0);
+}
+
+TEST_F(WindowTest, OpensAnswersSavesAndCloses) {
+  start_program("ground");
+  if (HasFatalFailure()) return;
+  drag_the_sun();
   key("3");
   key("0");
-  key("p");
-  key("Return");
-  const auto picture = folder_.path() / "psmlab-ground-1.png";
-  EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(picture); })) << "P saves no picture";
+  save_picture();
   key("ctrl+s");
   key("Return");
   const auto state = folder_.path() / "ground.psm.json";
@@ -154,6 +164,46 @@ TEST_F(WindowTest, OpensAnswersSavesAndCloses) {
   key("ctrl+q");
   ASSERT_TRUE(wait_for([&] { return !program_->running(); })) << "it does not close";
   EXPECT_EQ(program_->exit_code(), 0);
+}
+
+// Ctrl+C in the terminal, a kill, the end of the session.
+TEST_F(WindowTest, ASignalThatEndsItNamesWhatIsNotSaved) {
+  start_program("ground 2>'" + (folder_.path() / "errors").string() + "'");
+  if (HasFatalFailure()) return;
+  drag_the_sun();
+  save_picture();  // the drag has arrived, too
+  program_->ask_to_end();
+  ASSERT_TRUE(wait_for([&] { return !program_->running(); }));
+  EXPECT_EQ(program_->exit_code(), 1);
+  const std::string errors = text_of(folder_.path() / "errors");
+  const std::size_t at = errors.find("psmlab:ground?");
+  ASSERT_NE(at, std::string::npos) << errors;
+  const auto lost = load_experiment(errors.substr(at, errors.find('\n', at) - at), {});
+  ASSERT_TRUE(lost) << lost.error().text;
+  EXPECT_NE(lost->experiment.light, load_experiment("ground", {})->experiment.light);
+}
+
+TEST_F(WindowTest, ASignalLeavesNothingOfAFilm) {
+  if (!installed("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  start_program("--lesson 09_behind_the_viewer/5");
+  if (HasFatalFailure()) return;
+  key("p");
+  key("ctrl+a");
+  EXPECT_EQ(xdotool("type film.mp4"), 0);
+  key("Return");
+  const auto files = [&] {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+      const std::string name = entry.path().filename().string();
+      count += name.starts_with("film") || name.ends_with(".tmp");
+    }
+    return count;
+  };
+  EXPECT_TRUE(wait_for([&] { return files() > 0; })) << "no film is begun";
+  program_->ask_to_end();
+  ASSERT_TRUE(wait_for([&] { return !program_->running(); }));
+  EXPECT_EQ(program_->exit_code(), 0);
+  EXPECT_EQ(files(), 0u);
 }
 
 }  // namespace

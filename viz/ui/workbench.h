@@ -84,6 +84,8 @@ class Workbench {
   bool wants_quit() const { return wants_quit_; }
   /// The window is to be closed: unsaved changes are asked about first.
   void ask_to_quit();
+  /// What is lost where nobody can be asked, as a line to paste; none where all is saved.
+  std::optional<std::string> unsaved_text() const;
 
   /// The window's picture is wanted for a PNG: whoever composed the frame hands it over.
   bool wants_screen() const { return wants_screen_; }
@@ -110,6 +112,7 @@ class Workbench {
   std::uint64_t views_drawn() const { return views_drawn_; }  // pictures of views, so far
 
  private:
+  const Experiment& own_experiment() const;
   struct Frame;  // what one frame passes around
   void take_keys(const std::vector<KeyPress>& presses);
   bool take_presenting_key(const KeyPress& press);

@@ -181,13 +181,23 @@ void Workbench::act(Action action) {
   settings_ = clamped(settings_);
 }
 
+/// A lesson's experiments are not the student's work, which waits behind it.
+const Experiment& Workbench::own_experiment() const { return lessons_.run() ? lessons_.own() : model_.experiment(); }
+
 void Workbench::ask_to_quit() {
   wake();
-  // A lesson's experiments are not the student's work: what is asked about waits behind it.
-  if (lessons_.run() ? !model_.unsaved(lessons_.own()) : !model_.unsaved())
+  if (!model_.unsaved(own_experiment()))
     wants_quit_ = true;
   else if (dialogs_.shown() != Dialogs::Kind::unsaved)
     dialogs_.show(Dialogs::Kind::unsaved);
+}
+
+std::optional<std::string> Workbench::unsaved_text() const {
+  const Experiment& own = own_experiment();
+  if (!model_.unsaved(own)) return std::nullopt;
+  if (own.scene == model_.experiment().scene) return share_text(own, model_.scene());
+  const auto scene = load_scene(own.scene.source, {});
+  return scene ? std::optional(share_text(own, *scene)) : std::nullopt;
 }
 
 void Workbench::ask_for_path_to_save() { dialogs_.show(Dialogs::Kind::save, scene_stem(model_.experiment()) + ".psm.json"); }
