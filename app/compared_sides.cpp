@@ -38,9 +38,9 @@ struct Lines {
   }
 };
 
-}  // namespace
-
 bool is_split(const SheetPanel& panel) { return panel.side && is_split(panel.view, panel.loaded->experiment.view); }
+
+}  // namespace
 
 glm::ivec2 shown_columns(const SheetPanel& panel) {
   if (!is_split(panel)) return {0, panel.size.x};
@@ -59,6 +59,18 @@ std::vector<SidePlate> side_plates(const SheetPanel& panel, const Analysis& anal
   const int width = px(kLine, scale), x = std::clamp(columns.y - width / 2, 0, std::max(0, panel.size.x - width));
   plates.push_back({panel.top_left + glm::ivec2(x, 0), {width, panel.size.y}, ""});
   return plates;
+}
+
+ShownPart shown_part(const SheetPanel& panel, const Analysis& analysis, const FontFace& font, double scale) {
+  const glm::dvec2 size = panel.size;
+  ShownPart part{glm::dvec2(shown_columns(panel)) / size.x, {}};
+  const double pad = px(kPadding, scale);
+  const auto text_size = [&](const std::string& text) { return font.text_size(text, kText * scale); };
+  for (const SidePlate& plate : side_plates(panel, analysis, scale))
+    if (!plate.text.empty())
+      part.covered.push_back(
+          {glm::dvec2(plate.top_left - panel.top_left) / size, (Lines(plate, pad, text_size).size + 2.0 * pad) / size});
+  return part;
 }
 
 void draw_plate(const SidePlate& plate, const Caption& caption, const Sheet& sheet, Image& whole) {

@@ -18,11 +18,11 @@ struct SidePlate {
   std::string text;
 };
 
-/// Whether a line divides the panel between the two.
-bool is_split(const SheetPanel& panel);
-
 /// The columns of the panel's picture that are its side's: from, to before.
 glm::ivec2 shown_columns(const SheetPanel& panel);
+
+/// What of the panel's picture that leaves, below the plates.
+ShownPart shown_part(const SheetPanel& panel, const Analysis& analysis, const FontFace& font, double scale);
 
 /// None where the panel shows one technique alone.
 std::vector<SidePlate> side_plates(const SheetPanel& panel, const Analysis& analysis, double scale);

@@ -62,6 +62,7 @@ struct SheetPainter::State {
   std::optional<RayTracer> tracer;
   Analysis analysis;
   std::optional<Probe> probe;
+  const Result<FontFace> font = FontFace::load(font_file());
 
   void prepare(const std::shared_ptr<const LoadedExperiment>& wanted) {
     if (loaded == wanted) return;
@@ -81,7 +82,8 @@ struct SheetPainter::State {
     std::optional<TracedOverlay> traced;
     if (panel.view == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay))
       traced = trace_overlay(renderer, *tracer, analysis, kAllPixels);
-    const ViewExtras extras{panel.emphasis, probe ? &*probe : nullptr, traced ? &*traced : nullptr, is_split(panel)};
+    const ViewExtras extras{panel.emphasis, probe ? &*probe : nullptr, traced ? &*traced : nullptr,
+                            font ? shown_part(panel, analysis, *font, sheet.scale) : ShownPart{}};
     ViewPicture picture = describe_view(panel.view, analysis, panel.size, sheet.scale, extras);
     if (panel.title) picture.title = *panel.title;
     return picture;
@@ -135,7 +137,7 @@ Image SheetPainter::image(const Sheet& sheet) {
 }
 
 Result<Page> SheetPainter::page(const Sheet& sheet) {
-  const auto font = FontFace::load(font_file());
+  const Result<FontFace>& font = state_->font;
   if (!font) return font.error();
   Page page{sheet.size, std::nullopt, {}, sheet.title, parameters_of(sheet)};
   if (!sheet.transparent) page.background = sheet.background;

@@ -61,6 +61,20 @@ TEST(Labels, LeaveFreeWhatIsOccupied) {
   }
 }
 
+TEST(Labels, StandInTheColumnsThatShow) {
+  std::mt19937 random(10);
+  std::size_t placed_in_all = 0;
+  for (int i = 0; i < 100; ++i) {
+    const auto placed = place_labels(random_list(random), glm::dmat4(1.0), {640, 400}, 1.0, text_size, nullptr, {}, {0.25, 0.75});
+    placed_in_all += placed.size();
+    for (const PlacedLabel& l : placed) {
+      EXPECT_TRUE(l.top_left.x >= 160 && l.top_left.x + l.size.x <= 480);
+      EXPECT_TRUE(l.anchor.x >= 160 && l.anchor.x <= 480) << "its leader would cross the line";
+    }
+  }
+  EXPECT_GT(placed_in_all, 100u);
+}
+
 TEST(Labels, SameListSamePlaces) {
   std::mt19937 random(8);
   const DrawList list = random_list(random);

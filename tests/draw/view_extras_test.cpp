@@ -79,7 +79,7 @@ TEST(ViewExtras, SayInTheEyeViewAloneThatRaysAreToCome) {
 TEST(ViewExtras, LeaveNoNumbersToALineThatWouldDivideThem) {
   const Analysis analysis = analysis_with(EyeOverlay::errors);
   const TracedOverlay traced{{1, 1, {1, 2, 3, 255}}, {"errors", {}, {"12 of 100"}}};
-  const ViewPicture shown = describe_view(ViewId::eye, analysis, kSize, 1.0, {{}, nullptr, &traced, true});
+  const ViewPicture shown = describe_view(ViewId::eye, analysis, kSize, 1.0, {{}, nullptr, &traced, {{0.0, 0.5}, {}}});
   EXPECT_TRUE(shown.legend.lines.empty());
   EXPECT_EQ(shown.legend.title, "errors");
 }

@@ -117,6 +117,23 @@ TEST(Comparison, TheNamesStayOnTheirSidesOfTheLineInFrontOfAClass) {
   }
 }
 
+TEST(Comparison, EachSidesLabelsKeepClearOfTheOtherAndOfItsName) {
+  Bench bench("ground", {"view.compare=psm", "view.split=0.4"});
+  const auto shown = [&](const ViewImages& images, ViewId id) { return images.picture(id).shown; };
+  const ViewImages &a = bench.work().images(), &b = *bench.work().comparison().images();
+  EXPECT_EQ(shown(a, ViewId::world).columns, glm::dvec2(0.0, 0.4));
+  EXPECT_EQ(shown(b, ViewId::world).columns, glm::dvec2(0.4, 1.0));
+  EXPECT_EQ(shown(a, ViewId::world).covered.size(), 1u);
+  EXPECT_EQ(shown(b, ViewId::map).covered.size(), 1u);
+  EXPECT_EQ(shown(a, ViewId::cube), ShownPart());
+  const Rect world = bench.work_places().at("view.world"), line = bench.work_places().at("split.world");
+  const glm::dvec2 grip(line.min + line.size() / 2), there = grip + glm::dvec2(0.3 * world.size().x, 0.0);
+  bench.drag(grip, there);
+  EXPECT_NEAR(shown(a, ViewId::world).columns.y, 0.7, 0.02);
+  bench.key('B');
+  EXPECT_EQ(shown(bench.work().images(), ViewId::world), ShownPart());
+}
+
 TEST(Comparison, TwoMapsNeverShareAPicture) {
   ViewSettings view;
   EXPECT_TRUE(is_split(ViewId::eye, view));

@@ -81,9 +81,10 @@ Annotations annotate(const ViewPicture& picture, const PictureFrame& frame, cons
   if (heading_moves_up(picture, frame, text_size)) explained.title.clear();
   if (!explained.empty()) occupied.push_back(lay_out_legend(explained, frame, text_size, out.texts, legend, out.marks));
   add_fixed_texts(picture, frame, text_size, out, occupied);
+  for (const Occupied& part : picture.shown.covered) occupied.push_back({part.top_left * frame.size, part.size * frame.size});
   TextSize measured = text_size;
-  for (const PlacedLabel& label :
-       place_labels(picture.list, picture.clip_from_list, frame.size, frame.scale, measure, &measured, occupied)) {
+  for (const PlacedLabel& label : place_labels(picture.list, picture.clip_from_list, frame.size, frame.scale, measure, &measured,
+                                               occupied, picture.shown.columns)) {
     const glm::vec3 color = picture_label_color(label.role, frame.theme);
     out.plates.push_back(plate_around(label.top_left, label.size, color, frame));
     if (label.leader) out.leaders.push_back(leader_to(label.anchor, out.plates.back(), color, frame));

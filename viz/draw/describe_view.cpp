@@ -73,7 +73,8 @@ ViewPicture describe_view(ViewId id, const Analysis& analysis, glm::ivec2 size, 
   add_texel_overlay(picture, analysis, size);
   if (id == ViewId::map && analysis.experiment.view.map_shows == MapShows::scene) show_scene_in_map(picture, analysis);
   if (id == ViewId::eye && takes_rays(analysis.experiment.view.eye_overlay)) show_traced(extras.traced, picture);
-  if (extras.divided) picture.legend.lines.clear();
+  picture.shown = extras.shown;
+  if (picture.shown.divided()) picture.legend.lines.clear();
   emphasise(picture.list, extras.emphasis);
   if (extras.probe) {
     DrawList probe = probe_list(*extras.probe, id, analysis, size);

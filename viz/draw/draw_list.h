@@ -115,12 +115,15 @@ struct PlacedLabel {
 /// A part of the picture that labels must leave free, such as a title: pixels, y downwards.
 struct Occupied {
   glm::dvec2 top_left, size;
+  bool operator==(const Occupied&) const = default;
 };
 
 /// Greedy placement, most constrained first: eight positions around each anchor, no overlap, nothing cut, at most 12.
-/// `text_size` measures a text in pixels; `clip_from_list` maps the list's space to the picture's clip space.
+/// `text_size` measures a text in pixels; `clip_from_list` maps the list's space to the picture's clip space. `columns`: only
+/// these of the picture show, from and to, as fractions of its width.
 std::vector<PlacedLabel> place_labels(const DrawList& list, const glm::dmat4& clip_from_list, glm::dvec2 picture_size,
                                       double scale, glm::dvec2 (*text_size)(const std::string&, double scale, void*),
-                                      void* context, const std::vector<Occupied>& occupied = {});
+                                      void* context, const std::vector<Occupied>& occupied = {},
+                                      const glm::dvec2& columns = {0.0, 1.0});
 
 }  // namespace psm

@@ -90,12 +90,16 @@ std::vector<Candidate> candidates(const glm::dvec2& anchor, const glm::dvec2& si
 
 class Placer {
  public:
-  Placer(const DrawList& list, const glm::dmat4& clip_from_list, const glm::dvec2& picture, double scale)
-      : picture_{glm::dvec2(0.0), picture}, scale_(scale), lines_(project_lines(list, clip_from_list, picture)) {}
+  Placer(const DrawList& list, const glm::dmat4& clip_from_list, const glm::dvec2& picture, const glm::dvec2& columns,
+         double scale)
+      : shown_{{columns.x * picture.x, 0.0}, {columns.y * picture.x, picture.y}},
+        scale_(scale),
+        lines_(project_lines(list, clip_from_list, picture)) {}
 
   void keep_free(const Rect& taken) { taken_.push_back(taken); }
 
   void add(const DrawLabel& label, const glm::dvec2& anchor, const glm::dvec2& size) {
+    if (anchor.x < shown_.min.x || anchor.x > shown_.max.x) return;
     anchors_.push_back(anchor);
     Pending pending{&label, anchor, size, candidates(anchor, size, scale_)};
     std::erase_if(pending.free, [&](const Candidate& c) { return !may_stand(c.text.grown(margin())); });
@@ -121,7 +125,7 @@ class Placer {
   double margin() const { return label_margin * scale_; }
 
   bool may_stand(const Rect& plate) const {
-    return plate.inside(picture_) && std::none_of(taken_.begin(), taken_.end(), [&](const Rect& t) { return t.overlaps(plate); });
+    return plate.inside(shown_) && std::none_of(taken_.begin(), taken_.end(), [&](const Rect& t) { return t.overlaps(plate); });
   }
 
   /// Leader length, lines covered and crossed, anchors covered. In units of the nearest ring's leader.
@@ -152,7 +156,7 @@ class Placer {
     }
   }
 
-  Rect picture_;
+  Rect shown_;
   double scale_;
   std::vector<Segment2> lines_, leaders_;
   std::vector<Rect> taken_, plates_;
@@ -165,8 +169,8 @@ class Placer {
 
 std::vector<PlacedLabel> place_labels(const DrawList& list, const glm::dmat4& clip_from_list, glm::dvec2 picture_size,
                                       double scale, glm::dvec2 (*text_size)(const std::string&, double scale, void*),
-                                      void* context, const std::vector<Occupied>& occupied) {
-  Placer placer(list, clip_from_list, picture_size, scale);
+                                      void* context, const std::vector<Occupied>& occupied, const glm::dvec2& columns) {
+  Placer placer(list, clip_from_list, picture_size, columns, scale);
   for (const Occupied& o : occupied) placer.keep_free({o.top_left, o.top_left + o.size});
   for (const DrawLabel& label : list.labels) {
     if (label.text.empty()) continue;

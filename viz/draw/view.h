@@ -26,6 +26,14 @@ enum class ScenePicture {
 /// Of the texel grid's lines, every how many are drawn stronger.
 constexpr int kStrongLines = 8;
 
+/// What shows of a picture, in fractions of its size: beside another one, or under something else. Labels stand in the free part.
+struct ShownPart {
+  glm::dvec2 columns{0.0, 1.0};   // from, to
+  std::vector<Occupied> covered;  // y downwards
+  bool divided() const { return columns != glm::dvec2(0.0, 1.0); }
+  bool operator==(const ShownPart&) const = default;
+};
+
 /// One view, ready to draw. The world list has one DrawPoint of role light (the light's handle; a sun stands at the picture's
 /// edge), one of role frustum (the eye), and one of role vanishing_plane where that shows. Corner [-1, 1]^2 of clip space is the
 /// whole picture.
@@ -45,6 +53,7 @@ struct ViewPicture {
   std::optional<ChartFrame> chart;        // of a plot: where values stand in the list's space
   std::optional<Image> cover;             // over the scene, spread over image_rect
   Legend legend;
+  ShownPart shown;
 };
 
 /// Errors against the truth, penumbra: viz/gl traces them.
@@ -63,7 +72,7 @@ struct ViewExtras {
   Emphasis emphasis = {};
   const Probe* probe = nullptr;           // neither stronger nor fainter, but without what is hidden
   const TracedOverlay* traced = nullptr;  // in the eye view; none where one takes rays: its legend says that they are to come
-  bool divided = false;  // a line between two techniques goes through it, which would leave half of each one's numbers
+  ShownPart shown = {};  // of a divided picture the legend keeps its colours alone: half of its numbers would be left
 };
 
 /// Pure. `size` in pixels: its aspect decides the letterbox and the fit. `scale`: of type, for which plots leave room.

@@ -38,7 +38,7 @@ Comparison::Comparison(std::filesystem::path assets, std::filesystem::path font)
 Comparison::~Comparison() = default;
 
 int Comparison::update(const Model& first, const ViewSettings& shown, const ViewRects& places, double scale, Theme theme,
-                       const Emphasis& emphasis, bool resting) {
+                       const Emphasis& emphasis, const ShownParts& parts, bool resting) {
   if (!shown.compare) return second_.reset(), 0;
   Experiment experiment = first.experiment();
   experiment.shadow.technique = *shown.compare;
@@ -50,6 +50,7 @@ int Comparison::update(const Model& first, const ViewSettings& shown, const View
   for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = places[i].empty() ? glm::ivec2(0) : places[i].size();
   if (resting && sizes[std::size_t(ViewId::eye)].x > 0) s.images.trace_overlay(s.model, s.unwatched);
   s.images.set_emphasis(emphasis);
+  if (resting) s.images.set_shown_parts(parts);
   if (first.texels_counted()) s.model.count_texels();
   return s.images.update(s.model, shown, sizes, scale, theme, s.unwatched);
 }
@@ -106,20 +107,27 @@ float name_px(const UiContext& ui) { return std::min(ImGui::GetFontSize(), float
 float name_pad(const UiContext& ui) { return std::floor(0.3f * name_px(ui)); }
 
 /// Its top left is `at`, or its top right. Stays on its side of the line: in more lines, or smaller, or, where hardly anything is
-/// left of the side, not at all.
-void name_plate(UiContext& ui, const std::string& text, ImVec2 at, bool right_aligned, const Rect& within) {
+/// left of the side, not at all. Returns its place.
+Rect name_plate(UiContext& ui, const std::string& text, ImVec2 at, bool right_aligned, const Rect& within) {
   const float full = name_px(ui), pad = name_pad(ui);
   const float wrap = (right_aligned ? at.x - float(within.min.x) : float(within.max.x) - at.x) - 3.0f * pad;
   const float px = full * std::min(1.0f, 0.98f * wrap / widest_word(text, full));
-  if (px < kLeastName * full) return;
+  if (px < kLeastName * full) return {};
   const ImVec2 size = ImGui::GetFont()->CalcTextSizeA(px, 1e9f, wrap, text.c_str());
   const float x = right_aligned ? at.x - size.x - 2.0f * pad : at.x;
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled({x, at.y}, {x + size.x + 2.0f * pad, at.y + size.y + 2.0f * pad}, ImGui::GetColorU32(ImGuiCol_PopupBg),
                       pad);
   list->AddText(ImGui::GetFont(), px, {x + pad, at.y + pad}, text_color(), text.c_str(), nullptr, wrap);
-  ui.places["compare." + std::string(1, text.front())] = {{int(x), int(at.y)},
-                                                          {int(x + size.x + 2.0f * pad), int(at.y + size.y + 2.0f * pad)}};
+  const Rect place{{int(x), int(at.y)}, {int(x + size.x + 2.0f * pad), int(at.y + size.y + 2.0f * pad)}};
+  return ui.places["compare." + std::string(1, text.front())] = place;
+}
+
+ShownPart part_of(const Rect& picture, const glm::dvec2& columns, const Rect& name) {
+  ShownPart part{columns, {}};
+  const glm::dvec2 size = picture.size();
+  if (!name.empty()) part.covered.push_back({glm::dvec2(name.min - picture.min) / size, glm::dvec2(name.size()) / size});
+  return part;
 }
 
 /// A line with a grip in the middle, dark between light edges or the reverse: it stands out from any picture.
@@ -156,27 +164,27 @@ void drag_split(UiContext& ui, ViewId id, const Rect& picture, ViewSettings& vie
 }
 
 /// Whether the name has room at the right of the title, where a tile may have controls.
-bool fits_beside_title(const UiContext& ui, const std::string& name, const glm::dvec2& title, const Rect& tile,
-                       bool has_controls) {
+bool fits_beside_title(const UiContext& ui, const std::string& name, const ViewPicture& picture, const Rect& tile) {
   const double gap = std::round(8.0 * ui.scale), menu = kTextHeight * ui.scale;
   const ImVec2 size = ImGui::GetFont()->CalcTextSizeA(name_px(ui), 1e9f, 0.0f, name.c_str());
-  return !has_controls && title.x + menu + size.x + 2.0f * name_pad(ui) + 2.0 * gap <= tile.size().x;
+  const double title = shown_title(picture, tile.size(), ui.scale).end.x;
+  return title + menu + size.x + 2.0f * name_pad(ui) + 2.0 * gap <= tile.size().x;
 }
 
-/// In a tile of its own: in the title's row, or below it.
-void name_tile(UiContext& ui, const std::string& name, const ViewPicture& picture, const Rect& tile, bool at_right,
-               bool has_controls) {
+/// In a tile of its own: at the right of the title's row, or below it.
+Rect name_tile(UiContext& ui, const std::string& name, const ViewPicture& picture, const Rect& tile, bool at_right, bool beside) {
   const float gap = float(std::round(8.0 * ui.scale));
-  const glm::dvec2 title = shown_title(picture, tile.size(), ui.scale).end;
-  const bool beside = fits_beside_title(ui, name, title, tile, has_controls), right = at_right || beside;
-  const float below = std::max(2.6f * ImGui::GetFontSize(), float(title.y) + gap);
-  name_plate(ui, name, {right ? float(tile.max.x) - gap : float(tile.min.x) + gap, float(tile.min.y) + (beside ? gap : below)},
-             right, tile);
+  const float below = std::max(2.6f * ImGui::GetFontSize(), float(shown_title(picture, tile.size(), ui.scale).end.y) + gap);
+  at_right |= beside;
+  return name_plate(ui, name,
+                    {at_right ? float(tile.max.x) - gap : float(tile.min.x) + gap, float(tile.min.y) + (beside ? gap : below)},
+                    at_right, tile);
 }
 
 void draw_second(UiContext& ui, ViewId id, const Rect& first, const Rect& second, const ViewImages& first_images,
-                 const ViewImages& images, const ViewDrag& drag) {
+                 const ViewImages& images, const ViewDrag& drag, ComparedParts& parts) {
   const ViewSettings& view = ui.model.experiment().view;
+  ShownPart &part_a = parts.first[std::size_t(id)], &part_b = parts.second[std::size_t(id)];
   const bool split = is_split(id, view);
   const int x = split ? line_x(first, view.split) : first.max.x;
   ImGui::PushClipRect({float(split ? x : second.min.x), float(second.min.y)}, {float(second.max.x), float(second.max.y)}, true);
@@ -187,13 +195,15 @@ void draw_second(UiContext& ui, ViewId id, const Rect& first, const Rect& second
   if (split) {
     // Below the title and the view's own controls.
     const float gap = float(std::round(8.0 * ui.scale)), y = float(first.min.y) + 2.6f * ImGui::GetFontSize();
-    name_plate(ui, name_a, {float(x) - gap, y}, true, first);
-    name_plate(ui, name_b, {float(x) + gap, y}, false, second);
+    part_a = part_of(first, {0.0, view.split}, name_plate(ui, name_a, {float(x) - gap, y}, true, first));
+    part_b = part_of(first, {view.split, 1.0}, name_plate(ui, name_b, {float(x) + gap, y}, false, second));
     return;
   }
   const bool has_controls = id == ViewId::eye && ui.places.contains("tile.eye_overlay");
-  name_tile(ui, name_a, first_images.picture(id), first, true, has_controls);
-  name_tile(ui, name_b, images.picture(id), second, false, false);
+  const ViewPicture &a = first_images.picture(id), &b = images.picture(id);
+  const bool beside = !has_controls && fits_beside_title(ui, name_a, a, first) && fits_beside_title(ui, name_b, b, second);
+  part_a = part_of(first, {0.0, 1.0}, name_tile(ui, name_a, a, first, true, beside));
+  part_b = part_of(second, {0.0, 1.0}, name_tile(ui, name_b, b, second, false, beside));
 }
 
 }  // namespace
@@ -216,11 +226,13 @@ std::string second_input(UiContext& ui, const ViewRects& places, const ViewImage
   return tag;
 }
 
-void draw_seconds(UiContext& ui, const Layout& layout, const ViewRects& places, const ViewImages& first_images,
-                  const ViewImages* images, const ViewDrag& drag) {
+ComparedParts draw_seconds(UiContext& ui, const Layout& layout, const ViewRects& places, const ViewImages& first_images,
+                           const ViewImages* images, const ViewDrag& drag) {
+  ComparedParts parts;
   for (ViewId id : kAllViews)
     if (images && !places[std::size_t(id)].empty())
-      draw_second(ui, id, layout.view(id), places[std::size_t(id)], first_images, *images, drag);
+      draw_second(ui, id, layout.view(id), places[std::size_t(id)], first_images, *images, drag, parts);
+  return parts;
 }
 
 }  // namespace psm

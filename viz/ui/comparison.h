@@ -39,7 +39,7 @@ class Comparison {
 
   /// Goes where A has gone and draws what is out of date; returns how many views. `shown`: the cameras of A's pictures.
   int update(const Model& first, const ViewSettings& shown, const ViewRects& places, double scale, Theme theme,
-             const Emphasis& emphasis, bool resting);
+             const Emphasis& emphasis, const ShownParts& parts, bool resting);
 
   /// Null while nothing is compared.
   const Analysis* analysis() const;
@@ -55,8 +55,14 @@ class Comparison {
 std::string second_input(UiContext& ui, const ViewRects& places, const ViewImages* images, ViewDrag& drag,
                          Experiment& experiment);
 
+/// What the line and the names leave of both's pictures.
+struct ComparedParts {
+  ShownParts first, second;
+  bool operator==(const ComparedParts&) const = default;
+};
+
 /// B's pictures, where they are not A's, with the lines and both names; after A's pictures.
-void draw_seconds(UiContext& ui, const Layout& layout, const ViewRects& places, const ViewImages& first_images,
-                  const ViewImages* images, const ViewDrag& drag);
+ComparedParts draw_seconds(UiContext& ui, const Layout& layout, const ViewRects& places, const ViewImages& first_images,
+                           const ViewImages* images, const ViewDrag& drag);
 
 }  // namespace psm

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "draw/annotation.h"
 #include "draw/split_at_infinity.h"
 #include "ui/theme.h"
 
@@ -50,11 +51,19 @@ class Overlay {
   }
 
   void labels(const DrawList& list) const {
-    const glm::dvec2 size = picture_.size();
-    std::vector<Occupied> taken{{{0.0, 0.0}, {0.4 * size.x, 2.2 * kTextSize * ui_.scale}}};  // the title
-    for (const PlacedLabel& label : place(under_.list, {}))
-      taken.push_back({label.top_left - margin(), label.size + 2.0 * margin()});
-    for (const PlacedLabel& label : place(list, taken)) draw(label);
+    TextSize text_size = [px = text_px()](const std::string& text) {
+      const ImVec2 size = ImGui::GetFont()->CalcTextSizeA(px, 1e9f, 0.0f, text.c_str());
+      return glm::dvec2(size.x, size.y);
+    };
+    std::vector<Occupied> taken;
+    for (const Plate& plate : annotate(under_, {picture_.size(), ui_.scale, ui_.theme}, text_size).plates)
+      taken.push_back({plate.top_left, plate.size});
+    for (const Occupied& part : under_.shown.covered)
+      taken.push_back({part.top_left * glm::dvec2(picture_.size()), part.size * glm::dvec2(picture_.size())});
+    const auto measure = [](const std::string& text, double, void* size) { return (*static_cast<const TextSize*>(size))(text); };
+    for (const PlacedLabel& label :
+         place_labels(list, under_.clip_from_list, picture_.size(), ui_.scale, measure, &text_size, taken, under_.shown.columns))
+      draw(label);
   }
 
  private:
@@ -64,15 +73,6 @@ class Overlay {
   ImVec2 screen(glm::dvec2 ndc) const {
     const glm::dvec2 size = picture_.size();
     return at_pixel({0.5 * (1.0 + ndc.x) * size.x, 0.5 * (1.0 - ndc.y) * size.y});
-  }
-
-  std::vector<PlacedLabel> place(const DrawList& list, const std::vector<Occupied>& taken) const {
-    const auto measure = [](const std::string& text, double, void* self) {
-      const float px = static_cast<const Overlay*>(self)->text_px();
-      const ImVec2 size = ImGui::GetFont()->CalcTextSizeA(px, 1e9f, 0.0f, text.c_str());
-      return glm::dvec2(size.x, size.y);
-    };
-    return place_labels(list, under_.clip_from_list, picture_.size(), ui_.scale, measure, const_cast<Overlay*>(this), taken);
   }
 
   void draw(const PlacedLabel& label) const {

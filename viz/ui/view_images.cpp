@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "draw/texel_overlay.h"
-#include "ui/comparison.h"
 #include "ui/navigation.h"
 
 namespace psm {
@@ -16,7 +15,7 @@ ViewSettings relevant(ViewId id, const ViewSettings& view) {
   if (id == ViewId::world) out.world = view.world, out.world_body = view.world_body;
   if (id == ViewId::cube) out.cube = view.cube, out.world_to_cube = view.world_to_cube;
   if (id == ViewId::map) out.map_center = view.map_center, out.map_zoom = view.map_zoom, out.map_shows = view.map_shows;
-  if (id == ViewId::eye) out.eye_overlay = view.eye_overlay, out.compare = view.compare, out.compare_layout = view.compare_layout;
+  if (id == ViewId::eye) out.eye_overlay = view.eye_overlay;
   if (id == ViewId::body) out.body = view.body;
   if (id == ViewId::curves) out.curve = view.curve, out.curve_range = view.curve_range;
   if (id == ViewId::explorer) out.explorer_slice = view.explorer_slice;
@@ -106,11 +105,12 @@ int ViewImages::update(const Model& model, const ViewSettings& shown, const View
                   theme,
                   has_rays ? traced_of_ : 0,
                   shows_texels ? model.texels_revision() : 0,
-                  emphasis_};
+                  emphasis_,
+                  parts_[std::size_t(id)]};
     if (view.texture != 0 && view.key == key) continue;
     if (!is_drawing(id)) upload(model, profile);
     profile.run(stage_of(id), [&] {
-      const ViewExtras extras{emphasis_, nullptr, has_rays ? &*traced_ : nullptr, shown.compare && is_split(id, shown)};
+      const ViewExtras extras{emphasis_, nullptr, has_rays ? &*traced_ : nullptr, parts_[std::size_t(id)]};
       view.picture = describe_view(id, analysis_, size, scale, extras);
       view.texture = renderer_.draw_view(view.picture, analysis_, size, scale, theme);
     });

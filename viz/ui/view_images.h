@@ -34,6 +34,8 @@ class FittedOrbits {
   std::optional<Fit> world_, cube_, body_;
 };
 
+using ShownParts = std::array<ShownPart, kAllViews.size()>;  // by ViewId
+
 class ViewImages {
  public:
   explicit ViewImages(Renderer& renderer) : renderer_(renderer) {}
@@ -41,6 +43,7 @@ class ViewImages {
   /// Draws what is out of date; returns how many views were drawn. `sizes`: empty (0) for hidden views.
   int update(const Model& model, const ViewSettings& shown, const ViewSizes& sizes, double scale, Theme theme, Profile& profile);
   /// From now on.
+  void set_shown_parts(ShownParts parts) { parts_ = std::move(parts); }
   void set_emphasis(Emphasis emphasis) { emphasis_ = std::move(emphasis); }
   const Emphasis& emphasis() const { return emphasis_; }
   /// The card has this model's scene.
@@ -65,6 +68,7 @@ class ViewImages {
     std::uint64_t traced = 0;  // the analysis whose traced overlay is shown
     std::uint64_t texels = 0;  // the statistics that the legend shows
     Emphasis emphasis;
+    ShownPart part;
     bool operator==(const Key&) const = default;
   };
   struct View {
@@ -78,6 +82,7 @@ class ViewImages {
   Renderer& renderer_;
   Analysis analysis_;
   Emphasis emphasis_;
+  ShownParts parts_;
   std::optional<TracedOverlay> traced_;
   EyeOverlay traced_kind_ = EyeOverlay::none;
   std::uint64_t traced_of_ = 0;  // analysis revision

@@ -283,6 +283,8 @@ void Workbench::draw_views(Frame& f) {
   if (resting && shows_texels()) count_texels();
   // A fit that a hidden view never had is found when the view shows.
   const ViewSettings shown = fitted_.shown(model_, sizes);
+  // While the line moves, labels stay where they are.
+  if (resting) images_.set_shown_parts(parts_.first);
   int drawn = images_.update(model_, shown, sizes, f.scale, settings_.theme, profile_);
   drawn += update_comparison(f, shown, resting);
   if (images_.has_scene_of(model_)) readback_.ask(model_, renderer_, profile_);
@@ -291,7 +293,8 @@ void Workbench::draw_views(Frame& f) {
   if (drawn > 0) views_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   for (ViewId id : kAllViews)
     if (sizes[std::size_t(id)].x > 0) draw_tile(f.ui, id, f.layout.view(id), images_, drag_);
-  draw_seconds(f.ui, f.layout, f.second, images_, comparison_.images(), drag_);
+  const ComparedParts parts = draw_seconds(f.ui, f.layout, f.second, images_, comparison_.images(), drag_);
+  if (std::exchange(parts_, parts) != parts) wake();
   find_probe();
   for (ViewId id : kAllViews) {
     if (!probe_ || sizes[std::size_t(id)].x == 0) continue;
@@ -317,7 +320,8 @@ void Workbench::count_texels() {
 
 int Workbench::update_comparison(const Frame& f, const ViewSettings& shown, bool resting) {
   const auto start = std::chrono::steady_clock::now();
-  const int drawn = comparison_.update(model_, shown, f.second, f.scale, settings_.theme, images_.emphasis(), resting);
+  const int drawn =
+      comparison_.update(model_, shown, f.second, f.scale, settings_.theme, images_.emphasis(), parts_.second, resting);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   if (drawn > 0)
     profile_.ran(Stage::compare, time.count());

@@ -191,6 +191,7 @@ class Workbench {
   Renderer renderer_;
   ViewImages images_;
   Comparison comparison_;
+  ComparedParts parts_;  // as last drawn
   std::vector<std::filesystem::path> experiments_;
   Profile profile_;
   ProfilePanel profile_panel_;
