@@ -59,6 +59,8 @@ std::string figure_with(const std::string& members) {
 TEST(FigureFile, SaysWhatIsWrongAndWhatIsAllowed) {
   EXPECT_EQ(complaint(figure_with(R"("panels": [{"view": "eye"}])")), "nothing");
   EXPECT_THAT(complaint("{"), HasSubstr("not JSON"));
+  EXPECT_THAT(complaint("{\"psmlab_figure\": 1, \"title\": \"a\", \"title\": \"b\"}"),
+              HasSubstr("title: given twice; allowed: once"));
   EXPECT_THAT(complaint("[]"), HasSubstr("an object with"));
   EXPECT_THAT(complaint(R"({"title": "T"})"), HasSubstr("psmlab_figure: null is not allowed; allowed: 1"));
   EXPECT_THAT(complaint(R"({"psmlab_figure": 1, "source": "S", "panels": [{}]})"), HasSubstr("title: missing"));
@@ -80,8 +82,8 @@ TEST(FigureFile, APanelsMembersGoOverTheFigures) {
   fs::remove(file);
   ASSERT_TRUE(figure) << figure.error().text;
   EXPECT_EQ(figure->id, "psmlab_good");
-  EXPECT_EQ(figure->panels[0].experiment, R"({"camera":{"far":9,"near":2}})");
-  EXPECT_EQ(figure->panels[1].experiment, R"({"camera":{"far":9,"near":1}})");
+  EXPECT_EQ(figure->panels[0].experiment, R"({"camera":{"near":2,"far":9}})");
+  EXPECT_EQ(figure->panels[1].experiment, R"({"camera":{"near":1,"far":9}})");
   EXPECT_EQ(figure->panels[0].hidden, std::vector<Role>{Role::light});
   EXPECT_TRUE(figure->panels[1].hidden.empty());
   EXPECT_FALSE(figure->panels[0].title);

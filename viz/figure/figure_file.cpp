@@ -6,13 +6,13 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "scene/json_fault.h"
+#include "scene/json_read.h"
 
 namespace psm {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 constexpr const char* kEnding = ".figure.json";
 constexpr int kMostColumns = 8, kMostPanels = 32, kLargestPanel = 4096;
@@ -130,17 +130,15 @@ Result<FigureFile> read_figure(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return InputError{file.string() + ": cannot be read; allowed: a figure file (.figure.json)"};
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const auto root = json_from_text(text);
+  if (!root) return InputError{file.string() + ": " + root.error().text};
   try {
-    FigureFile figure = read(json::parse(text));
+    FigureFile figure = read(*root);
     const std::string name = file.filename().string();
     figure.id = name.ends_with(kEnding) ? name.substr(0, name.size() - std::string(kEnding).size()) : file.stem().string();
     return figure;
   } catch (const Refused& refused) {
     return InputError{file.string() + ": " + refused.text};
-  } catch (const json::parse_error& error) {
-    return InputError{file.string() + ": not JSON: " + json_fault(error.what(), text, error.byte)};
-  } catch (const json::out_of_range& error) {
-    return InputError{file.string() + ": not JSON: " + json_fault(error.what(), text, text.size())};
   }
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "scene/result.h"
+
+namespace psm {
+
+/// Refuses, besides what is not JSON, members given twice, of which a tree would keep one, and more than 16 levels.
+Result<nlohmann::ordered_json> json_from_text(const std::string& text);
+
+}  // namespace psm
