@@ -22,5 +22,15 @@ TEST(BadgeBar, NoLineIsEmptyAtAnyScale) {
   }
 }
 
+TEST(BadgeBar, PresentsInAWindowOfAFewPixels) {
+  for (const glm::ivec2 size : {glm::ivec2(4, 600), glm::ivec2(600, 4), glm::ivec2(1, 1)}) {
+    Bench bench;
+    bench.key(key::f11);
+    bench.resize(size);
+    bench.resize({1024, 768});
+    EXPECT_TRUE(bench.on_screen("badge.light"));
+  }
+}
+
 }  // namespace
 }  // namespace psm::test

@@ -130,10 +130,12 @@ int badge_bar_height(int width) {
 }
 
 std::string badge_bar(UiContext& ui, const std::vector<Badge>& badges, const Rect& bar) {
+  constexpr float least = 0.25f;    // what is left in a window of a few pixels: ImGui takes neither type nor buttons of size zero
   ImGui::SetWindowFontScale(1.0f);  // ImGui keeps it from frame to frame
   if (badges.size() == 1)
     ImGui::SetWindowFontScale(
-        std::min({1.0f, (float(bar.size().x) - 2.0f * gap()) / badge_width(badges[0]), float(bar.size().y) / line_height()}));
+        std::clamp(std::min((float(bar.size().x) - 2.0f * gap()) / badge_width(badges[0]), float(bar.size().y) / line_height()),
+                   least, 1.0f));
   const auto corners = badge_corners(badges, float(bar.size().x), float(bar.size().y) > 1.5f * line_height());
   std::string clicked;
   for (std::size_t i = 0; i < badges.size() && corners[i].y + line_height() <= float(bar.size().y) + 1.0f; ++i)
