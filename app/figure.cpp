@@ -81,6 +81,10 @@ Result<Sheet> make_sheet(const fs::path& file, const FigureArguments& arguments)
     size = *parsed;
   }
   place_panels(*figure, size, sheet);
+  if (std::int64_t(sheet.size.x) * sheet.size.y > kMostPixels)
+    return InputError{file.string() + ": panel_size: " + std::to_string(sheet.size.x) + "x" + std::to_string(sheet.size.y) +
+                      " pixels for all panels; allowed: together at most " + std::to_string(kMostPixels) +
+                      ", or a smaller --size"};
   const glm::ivec2 panel = sheet.panels.front().size;
   if (std::min(panel.x, panel.y) < kSmallestPanel)
     return flag_error("--size", arguments.size.value_or(""), "a size that leaves each of the figure's panels 16 pixels or more");
