@@ -74,6 +74,15 @@ TEST(FigureFile, SaysWhatIsWrongAndWhatIsAllowed) {
   EXPECT_THAT(complaint(figure_with(R"("panels": [{"experiment": 3}])")), HasSubstr("panels[0].experiment: 3 is not allowed"));
 }
 
+TEST(FigureFile, DeepNestingIsRefusedHoweverDeep) {
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  for (const std::size_t levels : {17u, 1000000u}) {
+    EXPECT_THAT(complaint(nested(levels)), HasSubstr("nested too deeply; allowed: 16 levels"));
+    EXPECT_THAT(complaint(figure_with(R"("panels": [{"view": )" + nested(levels) + "}]")), HasSubstr("nested too deeply"));
+  }
+  EXPECT_THAT(complaint(nested(16)), HasSubstr("an object with"));
+}
+
 TEST(FigureFile, APanelsMembersGoOverTheFigures) {
   const fs::path file = fs::path(::testing::TempDir()) / "psmlab_good.figure.json";
   std::ofstream(file) << figure_with(R"("experiment": {"camera": {"near": 1, "far": 9}}, "hide": ["light"],
