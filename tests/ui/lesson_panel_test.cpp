@@ -182,6 +182,27 @@ TEST_F(LessonPanelTest, InFrontOfAClassAClickerGoesThroughScreensAnswersAndSteps
   EXPECT_TRUE(bench_->on_screen("lesson.next"));
 }
 
+TEST_F(LessonPanelTest, AKeyIsForTheStepOnTheScreenThoughTheFrameLeavesIt) {
+  const auto in_one_frame = [&](std::initializer_list<int> keys) {
+    for (const int code : keys) bench_->input().key(code, true);
+    for (const int code : keys) bench_->input().key(code, false);
+    bench_->settle();
+  };
+  open();
+  bench_->key(key::page_down);
+  bench_->key(key::f11);
+  in_one_frame({key::left, key::enter});
+  EXPECT_EQ(run().index(), 0u) << "it has no task that the hint could be for";
+  bench_->key(key::page_down);
+  bench_->key(key::page_down);
+  EXPECT_EQ(run().index(), 1u);
+  bench_->key(key::escape);
+  bench_->key(key::left);
+  in_one_frame({key::f11, key::enter});
+  EXPECT_TRUE(bench_->work().presenting());
+  EXPECT_EQ(run().index(), 0u);
+}
+
 TEST_F(LessonPanelTest, ATaskIsSolvedByHandOrShown) {
   open();
   bench_->key(key::page_down);

@@ -54,6 +54,7 @@ void LessonPanel::follow(Context& c, const std::string& link) {
 std::vector<LessonCommand> LessonPanel::draw(UiContext& ui, const LessonSession& session, const Rect& pane,
                                              Experiment& experiment) {
   Context c{ui, session, pane, experiment, {0.0, ImGui::GetFontSize(), 1.4}};
+  open_question_.reset(), open_task_.reset();  // no key answers here
   const float padding = ImGui::GetStyle().WindowPadding.x, row = ImGui::GetFrameHeightWithSpacing();
   const auto child = [&](const char* name, int top, int bottom, ImGuiWindowFlags flags) {
     ImGui::SetCursorScreenPos({float(pane.min.x), float(top)});

@@ -81,7 +81,7 @@ void Workbench::frame(glm::ivec2 size, double display_scale, const std::vector<K
   if (asked.open) open(*asked.open);
   if (asked.action) act(*asked.action);
   take_keys(presses);
-  for (const LessonCommand& command : std::exchange(lesson_commands_, {})) perform(command);
+  perform(std::exchange(lesson_commands_, {}));
   // What is on its way to a solution does not count as one, nor as a result.
   const bool moving = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive() || lesson_panel_.playing();
   if (!movements_.reveals()) show_lesson_experiment(lessons_.update(model_, ImGui::GetTime(), moving));

@@ -133,6 +133,7 @@ class Workbench {
   void lesson_line(Frame& f);
   bool step_stage(int by);
   void show_answer();
+  void perform(const std::vector<LessonCommand>& commands);
   void perform(const LessonCommand& command);
   void show_lesson_experiment(const std::optional<Experiment>& experiment);
   void toggle_lesson_pane();

@@ -44,6 +44,16 @@ void Workbench::lesson_pane(Frame& f) {
   for (LessonCommand& command : commands) lesson_commands_.push_back(std::move(command));
 }
 
+/// All of them were asked of the step on the screen: once another one is there, what is left means nothing.
+void Workbench::perform(const std::vector<LessonCommand>& commands) {
+  const LessonRun* run = lessons_.run();
+  const std::size_t step = run ? run->index() : 0;
+  for (const LessonCommand& command : commands) {
+    perform(command);
+    if (lessons_.run() != run || (run && run->index() != step)) return;
+  }
+}
+
 void Workbench::perform(const LessonCommand& command) {
   const bool was_open = lessons_.run() != nullptr;
   movements_.finish_reveal(ImGui::GetTime());
