@@ -230,6 +230,14 @@ TEST_P(Truth, AnEmptySceneIsUnseen) {
   EXPECT_EQ(count(p.truth, Lit::unseen), p.truth.size());
 }
 
+TEST_P(Truth, ASceneTooSmallToBeMeasuredIsUnseen) {
+  Scene scene = empty_scene();
+  add_box(scene, glm::dvec3(-1e-310), glm::dvec3(1e-310));
+  const RayTracer tracer(scene, GetParam());
+  EXPECT_FALSE(tracer.nearest({0, 1, 0}, {0, -1, 0}, 0, 10));
+  EXPECT_FALSE(tracer.shadowed({{0, -1, 0}, {0, 1, 0}}, {0, 1, 0, 1}));
+}
+
 TEST_P(Truth, TransparentTexelsAreHoles) {
   Scene scene = empty_scene();
   add_ground(scene, 6);

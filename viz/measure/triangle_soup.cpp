@@ -8,6 +8,7 @@ namespace psm {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kSmallestUnit = 1e-100;  // distances in it still have squares; a smaller scene is a point
 
 bool finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
@@ -62,7 +63,7 @@ TriangleSoup::TriangleSoup(const Scene& scene) {
   const glm::dvec3 half = 0.5 * (bounds.max - bounds.min);
   origin_ = bounds.min + half;
   unit_ = std::max({half.x, half.y, half.z});
-  if (!(unit_ > 0) || !std::isfinite(unit_)) unit_ = 1;
+  if (!(unit_ > kSmallestUnit) || !std::isfinite(unit_)) unit_ = 1;
   half_ = half / unit_;
   // Coordinates of world points carry half an epsilon of their size; a few operations follow.
   rounding_ = 16 * kEpsilon * (2 + glm::length(origin_) / unit_);
