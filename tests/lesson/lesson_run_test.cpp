@@ -164,6 +164,7 @@ TEST(Progress, IsWrittenAndReadAndStartsAfreshWhereItCannotBeRead) {
   EXPECT_THAT(error_of("{\"step\": -1}"),
               HasSubstr("lessons.json:2: lessons.a.step: -1 is not allowed; allowed: a number in [0, 1000]"));
   EXPECT_THAT(error_of("{\"step\": 0, \"steps\": [{}]}"), HasSubstr("lessons.json:2: lessons.a.steps.0.finished: is missing"));
+  EXPECT_THAT(error_of("{\"step\": 0, \"steps\": 1e15, \"finished\": 0}", 1), HasSubstr("lessons.a.steps: 1e+15 is not allowed"));
   EXPECT_THAT(error_of("{}", 3), HasSubstr("lessons.json:1: psmlab_progress: 3 is not allowed; allowed: a number in [1, 2]"));
 }
 

@@ -68,8 +68,9 @@ std::vector<MemberReader> MemberReader::elements() const {
 double MemberReader::number(double lowest, double highest) const {
   const std::string allowed = "a number in [" + number_text(lowest) + ", " + number_text(highest) + "]";
   if (!expect(JsonTree::Kind::number, allowed.c_str())) return lowest;
-  if (!(node_.number >= lowest && node_.number <= highest)) fail(node_.to_text() + " is not allowed; allowed: " + allowed);
-  return node_.number;
+  if (node_.number >= lowest && node_.number <= highest) return node_.number;
+  fail(node_.to_text() + " is not allowed; allowed: " + allowed);
+  return lowest;
 }
 
 bool MemberReader::boolean() const { return expect(JsonTree::Kind::boolean, "true or false") && node_.boolean; }
