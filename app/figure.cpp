@@ -86,9 +86,11 @@ Result<Sheet> make_sheet(const fs::path& file, const FigureArguments& arguments)
                       " pixels for all panels; allowed: together at most " + std::to_string(kMostPixels) +
                       ", or a smaller --size"};
   const glm::ivec2 panel = sheet.panels.front().size;
-  if (std::min(panel.x, panel.y) < kSmallestPanel)
-    return flag_error("--size", arguments.size.value_or(""), "a size that leaves each of the figure's panels 16 pixels or more");
-  return sheet;
+  if (std::min(panel.x, panel.y) >= kSmallestPanel) return sheet;
+  const std::string least = "16 pixels or more";
+  if (size) return flag_error("--size", *arguments.size, "a size that leaves each of the figure's panels " + least);
+  return InputError{file.string() + ": panel_size: a panel of " + std::to_string(panel.x) + "x" + std::to_string(panel.y) +
+                    " pixels; allowed: " + least};
 }
 
 int list_figures() {

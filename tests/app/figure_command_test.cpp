@@ -128,11 +128,14 @@ TEST(FigureCommand, RefusesInOneLine) {
   const Folder folder;
   std::ofstream(folder / "large.figure.json") << R"({"psmlab_figure": 1, "title": "T", "source": "S", "columns": 8,
     "panel_size": [4096, 4096], "panels": [{}, {}, {}, {}, {}]})";
+  std::ofstream(folder / "small.figure.json")
+      << R"({"psmlab_figure": 1, "title": "T", "source": "S", "panel_size": [4, 4], "panels": [{}]})";
   const std::vector<Bad> all{
       {{}, "no ID"},
       {{"no_such_figure", "--out", "x.png"}, "psmlab figure --list"},
       {{"none.figure.json", "--out", "x.png"}, "cannot be read"},
       {{"large.figure.json", "--out", "x.png"}, "panel_size: 32852x4096 pixels"},
+      {{"small.figure.json", "--out", "x.png"}, "panel_size: a panel of 4x4 pixels; allowed: 16 pixels or more"},
       {{"psm2002_1", "--out", "x.jpg"}, ".png, .svg or .pdf"},
       {{"psm2002_1", "--out", "x.mp4"}, ".png, .svg or .pdf"},
       {{"psm2002_1", "--out", "x.png", "--size", "20x20"}, "16 pixels"},
