@@ -6,7 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "scene/json_read.h"
+#include "scene/json_check.h"
 
 namespace psm {
 namespace {
@@ -130,10 +130,9 @@ Result<FigureFile> read_figure(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return InputError{file.string() + ": cannot be read; allowed: a figure file (.figure.json)"};
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  const auto root = json_from_text(text);
-  if (!root) return InputError{file.string() + ": " + root.error().text};
+  if (const auto error = check_json(text)) return InputError{file.string() + ": " + error->text};
   try {
-    FigureFile figure = read(*root);
+    FigureFile figure = read(json::parse(text));
     const std::string name = file.filename().string();
     figure.id = name.ends_with(kEnding) ? name.substr(0, name.size() - std::string(kEnding).size()) : file.stem().string();
     return figure;

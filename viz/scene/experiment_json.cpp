@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "scene/experiment_file.h"
 #include "scene/experiment_members.h"
 #include "scene/field_reader.h"
+#include "scene/json_check.h"
 #include "scene/json_node.h"
-#include "scene/json_read.h"
 
 namespace psm {
 namespace {
@@ -125,11 +124,11 @@ JsonNode& node_at(JsonNode& root, const std::string& path) {
 }  // namespace
 
 Result<ExperimentMembers> members_from_json(const std::string& json_text) {
-  const auto json = json_from_text(json_text);
-  if (!json) return json.error();
-  if (!json->is_object()) return InputError{"not an object; allowed: an experiment, { \"psmlab\": 1, ... }"};
+  if (const auto error = check_json(json_text)) return *error;
+  const ordered_json json = ordered_json::parse(json_text);
+  if (!json.is_object()) return InputError{"not an object; allowed: an experiment, { \"psmlab\": 1, ... }"};
   ExperimentMembers members;
-  if (auto error = read_members(*json, "", members)) return *error;
+  if (auto error = read_members(json, "", members)) return *error;
   return members;
 }
 

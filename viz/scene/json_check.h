@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "scene/result.h"
@@ -9,6 +9,6 @@
 namespace psm {
 
 /// Refuses, besides what is not JSON, members given twice, of which a tree would keep one, and more than 16 levels.
-Result<nlohmann::ordered_json> json_from_text(const std::string& text);
+std::optional<InputError> check_json(const std::string& text);
 
 }  // namespace psm
