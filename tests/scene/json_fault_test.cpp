@@ -12,7 +12,7 @@ using nlohmann::json;
 
 std::string fault_of(const std::string& text) {
   try {
-    (void)json::parse(text);
+    [[maybe_unused]] const json tree = json::parse(text);
   } catch (const json::parse_error& error) {
     return json_fault(error.what(), text, error.byte);
   } catch (const json::out_of_range& error) {
